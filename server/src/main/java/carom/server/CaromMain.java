@@ -19,7 +19,12 @@ import picocli.CommandLine.Spec;
     name = "carom",
     mixinStandardHelpOptions = true,
     versionProvider = ServerMain.Version.class,
-    subcommands = {ReplayCommand.class, HealthCommand.class, FleetCommand.class},
+    subcommands = {
+      ReplayCommand.class,
+      HealthCommand.class,
+      FleetCommand.class,
+      PlainCommand.class
+    },
     description = "Tools of the Carom game server.")
 public final class CaromMain implements Runnable {
   @Spec private CommandSpec spec;

@@ -75,6 +75,7 @@ public abstract class ThinLink implements Link {
 
   // The polling thread only.
   private MessageKinds kinds;
+  private String digest = "";
   private int gameMessages;
   private final List<Object> answers = new ArrayList<>();
   private final MessageDatagram pressing = new MessageDatagram();
@@ -83,6 +84,7 @@ public abstract class ThinLink implements Link {
   private final MessageDatagram unreliable = new MessageDatagram();
   private final TreeMap<Integer, ServerMessage.RosterEntry> roster = new TreeMap<>();
   private long bytesTaken;
+  private ServerMessage.Welcome welcome;
   private boolean welcomed;
   private String room = "";
   private boolean ownColours;
@@ -122,6 +124,14 @@ public abstract class ThinLink implements Link {
    * @return bytes of payload that it takes
    */
   public abstract int show(ThinSnapshot snapshot);
+
+  /**
+   * Begins to send the game's messages by classes that the client has, or by name. The room's
+   * thread.
+   *
+   * @param classes of the present game; null by name
+   */
+  protected void useClasses(GameClasses classes) {}
 
   /** Closes the connection when what was sent before has gone out, or soon. Any thread, once. */
   protected abstract void hangUp(String reason);
@@ -280,6 +290,19 @@ public abstract class ThinLink implements Link {
    */
   public final void begin(
       ThinServerMessage.Match match, MessageKinds newKinds, boolean coloursPlayers, int epoch) {
+    GameClasses classes = digest.isEmpty() ? null : new GameClasses(newKinds.own());
+    boolean fits = classes != null && classes.digest().equals(digest);
+    if (!welcomed && classes != null && !fits) {
+      refuse(classes, match.game());
+      return;
+    }
+    if (!welcomed) {
+      welcomed = true;
+      tell(
+          new ThinServerMessage.Welcome(
+              VERSION, welcome.sessionSecret(), welcome.tickRate(), rate));
+    }
+    useClasses(fits ? classes : null); // a later game may have others
     ownColours = coloursPlayers;
     kinds = newKinds;
     unreliable.begin(epoch);
@@ -289,9 +312,23 @@ public abstract class ThinLink implements Link {
     tell(match);
   }
 
+  private void refuse(GameClasses classes, String game) {
+    String text =
+        String.format(
+            Locale.ROOT,
+            "Your classes of the messages of game %s have digest=%s, the server's %s; write them"
+                + " anew by carom plain.",
+            game,
+            digest,
+            classes.digest());
+    tell(new ThinServerMessage.Refused(RefusalReason.GAME_VERSION.name(), text));
+    answer(new ClientMessage.Leave()); // nobody waits for this player
+    close("refused: " + text);
+  }
+
   /** Tells the client something; the room's thread. */
   public final boolean news(ThinServerMessage message) {
-    return maySend() && tell(message);
+    return state == State.OPEN && maySend() && tell(message);
   }
 
   // A link, as lobby and room see it.
@@ -333,10 +370,7 @@ public abstract class ThinLink implements Link {
   private void translate(ServerMessage message) {
     if (message instanceof ServerMessage.Welcome w) {
       room = w.room();
-      if (!welcomed) {
-        welcomed = true;
-        tell(new ThinServerMessage.Welcome(VERSION, w.sessionSecret(), w.tickRate(), rate));
-      }
+      welcome = w;
       answer(new ClientMessage.Ready(w.epoch(), w.declarationsDigest()));
     } else if (message instanceof ServerMessage.Refused r) {
       tell(new ThinServerMessage.Refused(r.reason().name(), r.playerText()));
@@ -471,6 +505,7 @@ public abstract class ThinLink implements Link {
       close("refused: version=" + join.version());
       return;
     }
+    digest = join.digest().replaceAll("[^0-9A-Za-z]", "?"); // it is told and logged
     if (!join.password().isEmpty()) {
       answers.add(new ClientMessage.Password(join.password()));
     }

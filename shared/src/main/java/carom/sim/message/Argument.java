@@ -5,15 +5,25 @@ import java.util.List;
 
 /**
  * An argument of a {@link MessageKind}: a name, a type and a range. Numbers of all types are kept
- * as ints: a real by its float bits, a flag as 0 or 1, a choice by its place.
+ * as ints: a real by its float bits, a flag as 0 or 1, a choice by its place, a player or entity by
+ * its id. Immutable; any thread.
  *
  * @param min least int, or the least real's float bits, or the least length of a text
  * @param max greatest int, or the greatest real's float bits, or the greatest length of a text
- * @param constants of a choice in their order, otherwise empty
+ * @param constants of a choice in their order, otherwise empty; each an enum's
  */
-record Argument(String name, Type type, int min, int max, List<Object> constants) {
+public record Argument(String name, Type type, int min, int max, List<Object> constants) {
   /** Greatest length of a text, characters. */
-  static final int MAX_TEXT = 290;
+  public static final int MAX_TEXT = 290;
+
+  /** The id of no player and no entity. */
+  private static final int NOBODY = -1;
+
+  /** Largest id of a player, as {@code carom.sim.entity.PlayerTable} gives it. */
+  static final int MAX_PLAYER = 1_023;
+
+  /** Largest id of an entity, as {@code carom.sim.entity.EntityTable} gives it. */
+  static final int MAX_ENTITY = 65_534;
 
   private static final int MAX_CHOICES = 256;
 
@@ -21,15 +31,25 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
   private static final int BYTES_PER_CHAR = 3;
 
   /** Types of arguments. */
-  enum Type {
+  public enum Type {
+    /** An integer. */
     COUNT,
+    /** True or false. */
     FLAG,
+    /** A number. */
     REAL,
+    /** A constant of an enum. */
     CHOICE,
-    TEXT
+    /** A text. */
+    TEXT,
+    /** The id of a player, or -1. */
+    PLAYER,
+    /** The id of an entity, or -1. */
+    ENTITY
   }
 
-  Argument {
+  /** Checks the name. */
+  public Argument {
     if (name.isEmpty() || name.length() > 64) {
       throw new IllegalArgumentException(
           "name=\"" + name + "\" of an argument must have 1 to 64 characters");
@@ -65,6 +85,14 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
     return new Argument(name, Type.CHOICE, 0, constants.size() - 1, constants);
   }
 
+  static Argument player(String name) {
+    return new Argument(name, Type.PLAYER, NOBODY, MAX_PLAYER, List.of());
+  }
+
+  static Argument entity(String name) {
+    return new Argument(name, Type.ENTITY, NOBODY, MAX_ENTITY, List.of());
+  }
+
   static Argument text(String name, int maxLength) {
     if (maxLength < 1 || maxLength > MAX_TEXT) {
       throw new IllegalArgumentException(
@@ -75,7 +103,7 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
 
   int maxBytes() {
     return switch (type) {
-      case COUNT -> MessageBytes.size(max - min);
+      case COUNT, PLAYER, ENTITY -> MessageBytes.size(max - min);
       case FLAG, CHOICE -> 1;
       case REAL -> Float.BYTES;
       case TEXT -> MessageBytes.size(BYTES_PER_CHAR * max) + BYTES_PER_CHAR * max;
@@ -86,7 +114,7 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
   void set(Message message, int at, Object value) {
     boolean fits =
         switch (type) {
-          case COUNT -> value instanceof Integer i && takes(message, at, i);
+          case COUNT, PLAYER, ENTITY -> value instanceof Integer i && takes(message, at, i);
           case FLAG -> value instanceof Boolean b && takes(message, at, b ? 1 : 0);
           case REAL -> value instanceof Float f && takes(message, at, Float.floatToIntBits(f));
           case CHOICE -> value instanceof Enum<?> e && takes(message, at, constants.indexOf(e));
@@ -99,11 +127,11 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
 
   /** Puts a value from outside into a message. Returns false when it doesn't fit. */
   boolean parse(Message message, int at, Object value) {
-    if (value instanceof Number n && type == Type.COUNT) {
-      return n.doubleValue() == n.intValue() && takes(message, at, n.intValue());
-    }
     if (value instanceof Number n && type == Type.REAL) {
       return takes(message, at, Float.floatToIntBits(n.floatValue()));
+    }
+    if (value instanceof Number n && isWhole()) {
+      return n.doubleValue() == n.intValue() && takes(message, at, n.intValue());
     }
     if (value instanceof Boolean b && type == Type.FLAG) {
       return takes(message, at, b ? 1 : 0);
@@ -119,6 +147,10 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
       }
     }
     return false;
+  }
+
+  private boolean isWhole() {
+    return type == Type.COUNT || type == Type.PLAYER || type == Type.ENTITY;
   }
 
   /** Puts a number into a message. Returns false when it is out of range. */
@@ -148,6 +180,7 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
     return toString().hashCode();
   }
 
+  /** Returns the name, type and range, such as {@code item count 0..31}. */
   @Override
   public String toString() {
     return switch (type) {
@@ -156,6 +189,8 @@ record Argument(String name, Type type, int min, int max, List<Object> constants
       case REAL -> name + " real " + Float.intBitsToFloat(min) + ".." + Float.intBitsToFloat(max);
       case CHOICE -> name + " choice " + constants;
       case TEXT -> name + " text " + max;
+      case PLAYER -> name + " player";
+      case ENTITY -> name + " entity";
     };
   }
 }

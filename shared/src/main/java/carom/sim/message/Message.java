@@ -40,6 +40,24 @@ public final class Message {
   }
 
   /**
+   * Returns the id of a player, or -1. Nobody may have it any more.
+   *
+   * @throws IllegalArgumentException when the kind has no player of this name
+   */
+  public int player(String argument) {
+    return numbers[index(argument, Argument.Type.PLAYER)];
+  }
+
+  /**
+   * Returns the id of an entity, or -1. It may be gone, and its id another one's.
+   *
+   * @throws IllegalArgumentException when the kind has no entity of this name
+   */
+  public int entity(String argument) {
+    return numbers[index(argument, Argument.Type.ENTITY)];
+  }
+
+  /**
    * Returns a flag.
    *
    * @throws IllegalArgumentException when the kind has no flag of this name
@@ -97,7 +115,7 @@ public final class Message {
             case REAL -> Float.intBitsToFloat(numbers[i]);
             case CHOICE -> a.constants().get(numbers[i]);
             case FLAG -> numbers[i] != 0;
-            case COUNT -> numbers[i];
+            case COUNT, PLAYER, ENTITY -> numbers[i];
           };
     }
     return type.cast(form.make(values));
@@ -118,7 +136,7 @@ public final class Message {
             case REAL -> Float.intBitsToFloat(numbers[i]);
             case CHOICE -> ((Enum<?>) a.constants().get(numbers[i])).name();
             case FLAG -> numbers[i] != 0;
-            case COUNT -> numbers[i];
+            case COUNT, PLAYER, ENTITY -> numbers[i];
           });
     }
     return values;

@@ -4,9 +4,9 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * Writer and reader of messages as bytes. A message is the index of its kind, one byte, and its
- * arguments: a count as varint of its distance from the least one, a flag or choice as one byte, a
- * real as four bytes, big-endian, and a text as varint length and UTF-8. A varint has 7 bits a
- * byte, the lowest first. Reading is safe on any bytes.
+ * arguments: a count or an id as varint of its distance from the least one, a flag or choice as one
+ * byte, a real as four bytes, big-endian, and a text as varint length and UTF-8. A varint has 7
+ * bits a byte, the lowest first. Reading is safe on any bytes.
  */
 final class MessageBytes {
   private byte[] bytes;
@@ -30,7 +30,7 @@ final class MessageBytes {
     for (int i = 0; i < message.numbers.length; i++) {
       Argument a = message.kind().arguments().get(i);
       switch (a.type()) {
-        case COUNT -> varint(message.numbers[i] - a.min());
+        case COUNT, PLAYER, ENTITY -> varint(message.numbers[i] - a.min());
         case FLAG, CHOICE -> bytes[at++] = (byte) message.numbers[i];
         case REAL -> {
           for (int shift = 24; shift >= 0; shift -= 8) {
@@ -80,7 +80,7 @@ final class MessageBytes {
       Argument a = kind.arguments().get(i);
       boolean fits =
           switch (a.type()) {
-            case COUNT -> readCount(message, i, a);
+            case COUNT, PLAYER, ENTITY -> readCount(message, i, a);
             case FLAG, CHOICE -> a.takes(message, i, next());
             case REAL -> readReal(message, i, a);
             case TEXT -> readText(message, i, a);

@@ -96,11 +96,12 @@ public final class MessageKind {
 
   /**
    * Declares a kind by a record. Its name is that of the record with a small first letter, and its
-   * arguments are the components: boolean, int and float with {@link Bounds}, String with {@link
-   * Longest}, and enums. It goes both ways, reliably, until told otherwise.
+   * arguments are the components: boolean, int and float with {@link Bounds}, int with {@link
+   * IdOfPlayer} or {@link IdOfEntity}, String with {@link Longest}, and enums. It goes both ways,
+   * reliably, until told otherwise.
    *
    * <pre>{@code
-   * record Throw(@Bounds(min = 0, max = 31) int item, @Bounds(min = 0, max = 9) float power) {}
+   * record Throw(@IdOfEntity int ball, @Bounds(min = 0, max = 9) float power) {}
    * static final MessageKind THROW = MessageKind.of(Throw.class).fromClient();
    * ...
    * client.send(THROW.of(new Throw(3, 0.5f)));
@@ -182,6 +183,16 @@ public final class MessageKind {
     return with(Argument.text(argument, maxLength));
   }
 
+  /** Returns this kind with one more argument, the id of a player, or -1. */
+  public MessageKind player(String argument) {
+    return with(Argument.player(argument));
+  }
+
+  /** Returns this kind with one more argument, the id of an entity, or -1. */
+  public MessageKind entity(String argument) {
+    return with(Argument.entity(argument));
+  }
+
   private MessageKind with(Argument argument) {
     for (Argument other : arguments) {
       if (other.name().equals(argument.name())) {
@@ -200,7 +211,7 @@ public final class MessageKind {
    * Returns a message of this kind. Characters that can't be shown are removed from texts.
    *
    * @param values one for each argument, in the order of the declaration: Integer, Boolean, Float,
-   *     a constant, String
+   *     a constant, String; the Integer of a player or entity is its id
    * @throws IllegalArgumentException when a value is missing, of another type or out of range
    */
   public Message of(Object... values) {
@@ -239,8 +250,8 @@ public final class MessageKind {
   /**
    * Returns a message whose values come from outside by the names of their arguments.
    *
-   * @param values a Number for a count or a real, a Boolean, a String for a text, the name of a
-   *     constant for a choice; others are ignored
+   * @param values a Number for a count, a real or an id, a Boolean, a String for a text, the name
+   *     of a constant for a choice; others are ignored
    * @return the message, or null when a value is missing, of another type or out of range
    */
   public Message parse(Map<String, ?> values) {
@@ -290,7 +301,8 @@ public final class MessageKind {
     return maxBytes;
   }
 
-  List<Argument> arguments() {
+  /** Returns the arguments, in their order. */
+  public List<Argument> arguments() {
     return arguments;
   }
 

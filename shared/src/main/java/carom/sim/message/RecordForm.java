@@ -36,6 +36,12 @@ record RecordForm(Class<? extends Record> type, List<Argument> arguments) {
     if (of.isEnum()) {
       return Argument.choice(name, (Class<? extends Enum<?>>) of);
     }
+    if (of == int.class && component.isAnnotationPresent(IdOfPlayer.class)) {
+      return Argument.player(name);
+    }
+    if (of == int.class && component.isAnnotationPresent(IdOfEntity.class)) {
+      return Argument.entity(name);
+    }
     if (of == int.class && bounds != null) {
       requireWhole(type, name, bounds.min());
       requireWhole(type, name, bounds.max());
@@ -50,6 +56,7 @@ record RecordForm(Class<? extends Record> type, List<Argument> arguments) {
     String need =
         of == int.class || of == float.class
             ? "needs @Bounds(min = ..., max = ...)"
+                + (of == int.class ? ", @IdOfPlayer or @IdOfEntity" : "")
             : of == String.class
                 ? "needs @Longest(...)"
                 : "is no boolean, int, float, text or enum";

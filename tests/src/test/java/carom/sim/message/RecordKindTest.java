@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.entity.EntityTable;
+import carom.sim.entity.PlayerTable;
 import carom.sim.message.MessageKind.Direction;
 import java.util.Map;
 import java.util.Random;
@@ -24,7 +26,9 @@ final class RecordKindTest {
       @Bounds(min = -2, max = 9) float power,
       boolean far,
       Hand hand,
-      @Longest(60) String note) {}
+      @Longest(60) String note,
+      @IdOfPlayer int to,
+      @IdOfEntity int ball) {}
 
   private record Unbounded(int item) {}
 
@@ -49,7 +53,9 @@ final class RecordKindTest {
             .real("power", -2, 9)
             .flag("far")
             .choice("hand", Hand.class)
-            .text("note", 60);
+            .text("note", 60)
+            .player("to")
+            .entity("ball");
     assertEquals(built.toString(), THROW.toString());
     assertEquals(5, THROW.perSecond());
   }
@@ -67,10 +73,14 @@ final class RecordKindTest {
               random.nextFloat() * 11 - 2,
               random.nextBoolean(),
               Hand.values()[random.nextInt(2)],
-              "x".repeat(random.nextInt(61)));
+              "x".repeat(random.nextInt(61)),
+              random.nextInt(PlayerTable.MAX_PLAYERS + 1) - 1,
+              random.nextInt(EntityTable.MAX_ENTITIES + 1) - 1);
       byte[] bytes = kinds.encode(THROW.of(thrown), Direction.FROM_CLIENT);
       Message message = kinds.decode(bytes, 0, bytes.length, Direction.FROM_CLIENT);
       assertEquals(thrown, message.as(Throw.class), "seed=" + seed);
+      assertEquals(thrown.to(), message.player("to"));
+      assertEquals(thrown.ball(), message.entity("ball"));
       assertEquals(thrown, THROW.parse(message.values()).as(Throw.class), "by name");
     }
   }
@@ -82,9 +92,15 @@ final class RecordKindTest {
     assertRefused("1.0E12", () -> MessageKind.of(Huge.class));
     assertRefused("@Longest", () -> MessageKind.of(Endless.class));
     assertRefused("long number", () -> MessageKind.of(Odd.class));
-    assertRefused("item=32", () -> THROW.of(new Throw(32, 0, true, Hand.LEFT, "")));
+    assertRefused("item=32", () -> THROW.of(new Throw(32, 0, true, Hand.LEFT, "", 0, 0)));
+    assertRefused(
+        "to=1024",
+        () -> THROW.of(new Throw(1, 0, true, Hand.LEFT, "", PlayerTable.MAX_PLAYERS, 0)));
+    assertRefused(
+        "ball=65535",
+        () -> THROW.of(new Throw(1, 0, true, Hand.LEFT, "", -1, EntityTable.MAX_ENTITIES)));
     assertRefused("Other", () -> THROW.of(new Other(true)));
-    assertRefused("Other", () -> THROW.of(0, 0f, true, Hand.LEFT, "").as(Other.class));
+    assertRefused("Other", () -> THROW.of(0, 0f, true, Hand.LEFT, "", -1, -1).as(Other.class));
     assertEquals(null, THROW.parse(Map.of("item", 3)));
   }
 

@@ -5,6 +5,7 @@ import carom.net.admission.Entrance;
 import carom.net.admission.TokenBucket;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;
+import carom.server.thin.GameClasses;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinServerMessage;
 import java.io.IOException;
@@ -69,6 +70,7 @@ final class PlainConnection implements Entrance.Guest {
 
   private final Object udpLock = new Object();
   private InetSocketAddress udp; // guarded by its lock
+  private volatile GameClasses classes; // that the client may send
   private volatile PlainLink link;
   private volatile boolean closed;
   private volatile String closeReason;
@@ -165,7 +167,7 @@ final class PlainConnection implements Entrance.Guest {
       expel("messagesPerSecond=" + door.limits().framesPerSecond() + " is the limit of a client");
       return;
     }
-    Object message = decoder.decode(bytes, from, to);
+    Object message = decoder.decode(bytes, from, to, classes);
     PlainLink present = link;
     if (present != null) {
       present.counters().messageBytesIn.addAndGet(to - from);
@@ -174,7 +176,8 @@ final class PlainConnection implements Entrance.Guest {
       expel(
           "a message can't be read: "
               + decoder.problem()
-              + "; register classes by Plain.register alone, with this server's carom-plain");
+              + "; register classes by Plain.register, with this server's carom-plain, and by what"
+              + " carom plain writes for its game");
       return;
     }
     frameNs = nowNs;
@@ -272,7 +275,7 @@ final class PlainConnection implements Entrance.Guest {
       door.counters().excessDatagrams.incrementAndGet();
       return;
     }
-    Object message = decoder.decode(bytes, 0, length);
+    Object message = decoder.decode(bytes, 0, length, null);
     boolean repeated = message instanceof PlainControl.RegisterUdp;
     if (message instanceof PlainControl.Ping ping && !ping.isReply()) {
       answer(ping.id()); // by TCP, as KryoNet does
@@ -295,6 +298,19 @@ final class PlainConnection implements Entrance.Guest {
   }
 
   // Sending.
+
+  /**
+   * Writes the game's messages by classes that the client has; null by name. What the client could
+   * send before, it still can.
+   */
+  void use(GameClasses ofGame) {
+    if (ofGame != null) {
+      classes = ofGame;
+    }
+    synchronized (out) {
+      encoder.use(ofGame);
+    }
+  }
 
   /**
    * Sends a message; any thread.

@@ -1,10 +1,14 @@
 package carom.server.thin.plain;
 
 import carom.net.protocol.ProtocolLimits;
+import carom.server.thin.GameClasses;
+import carom.server.thin.GameClasses.GameClass;
+import carom.server.thin.GameClasses.GameField;
 import carom.server.thin.ThinClientMessage;
 import carom.sim.entity.Input;
 import carom.sim.message.MessageKind;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -25,16 +29,17 @@ final class PlainDecoder {
   /**
    * Decodes a message.
    *
+   * @param classes of the game's messages that the client may send; null for none
    * @return a {@link ThinClientMessage} or {@link PlainControl}; null if the bytes are none, and
    *     {@link #problem} says why
    */
-  Object decode(byte[] bytes, int from, int to) {
+  Object decode(byte[] bytes, int from, int to, GameClasses classes) {
     in.begin(bytes, from, to);
     if (to - from > MAX_BYTES) {
       in.fail("it has " + (to - from) + " bytes, more than " + MAX_BYTES);
       return null;
     }
-    Object message = decode(in.count());
+    Object message = decode(in.count(), classes);
     if (in.problem() == null && in.remaining() > 0) {
       in.fail("it has " + in.remaining() + " bytes too many");
     }
@@ -46,7 +51,7 @@ final class PlainDecoder {
     return in.problem();
   }
 
-  private Object decode(int id) {
+  private Object decode(int id, GameClasses classes) {
     switch (id) {
       case PlainIds.REGISTER_UDP:
         return new PlainControl.RegisterUdp(in.whole());
@@ -77,9 +82,39 @@ final class PlainDecoder {
       case PlainIds.LEAVE:
         return new ThinClientMessage.Leave();
       default:
+        GameClass own = classes == null ? null : classes.at(id - PlainIds.FIRST_OF_GAME);
+        if (own != null) {
+          return ofGame(own);
+        }
         in.fail("the server takes no class of number " + id);
         return null;
     }
+  }
+
+  /** Reads the fields of a class of the game's; one that is null is left out. */
+  private ThinClientMessage ofGame(GameClass own) {
+    Map<String, Object> values = new HashMap<>();
+    for (GameField field : own.sorted()) {
+      Object value =
+          switch (field.argument().type()) {
+            case COUNT, PLAYER, ENTITY -> in.whole();
+            case FLAG -> in.flag();
+            case REAL -> in.real();
+            case TEXT -> in.text(MessageKind.MAX_BYTES);
+            case CHOICE -> constant(field.constants(), in.count());
+          };
+      if (value != null) {
+        values.put(field.argument().name(), value);
+      }
+    }
+    return new ThinClientMessage.Custom(own.kind().name(), values);
+  }
+
+  private String constant(List<String> constants, int number) {
+    if (number < 0 || number > constants.size()) {
+      in.fail("an enum has the number " + number + ", outside 0.." + constants.size());
+    }
+    return in.problem() != null || number == 0 ? null : constants.get(number - 1);
   }
 
   private ThinClientMessage join() {

@@ -375,7 +375,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
 
   private boolean register(InetSocketAddress from, int length) {
     if (length > 6
-        || !(datagramDecoder.decode(received, 0, length)
+        || !(datagramDecoder.decode(received, 0, length, null)
             instanceof PlainControl.RegisterUdp registration)) {
       return false;
     }

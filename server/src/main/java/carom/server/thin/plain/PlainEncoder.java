@@ -1,5 +1,8 @@
 package carom.server.thin.plain;
 
+import carom.server.thin.GameClasses;
+import carom.server.thin.GameClasses.GameClass;
+import carom.server.thin.GameClasses.GameField;
 import carom.server.thin.ThinServerMessage;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,6 +28,12 @@ final class PlainEncoder {
   private static final int MOST_PARTS = 500;
 
   private final KryoOutput scratch = new KryoOutput();
+  private GameClasses classes;
+
+  /** Writes the game's messages by classes that the client has; null by name. */
+  void use(GameClasses ofGame) {
+    classes = ofGame;
+  }
 
   /** Appends a message to what is sent by TCP. */
   void encode(KryoOutput out, ThinServerMessage message) {
@@ -50,6 +59,16 @@ final class PlainEncoder {
       }
     } else if (message instanceof ThinServerMessage.Rooms m) {
       rooms(out, m);
+    } else if (message instanceof ThinServerMessage.Custom m) {
+      GameClass own = classes == null ? null : classes.find(m.kind());
+      int begin = begin(out, own == null ? PlainIds.CUSTOM : PlainIds.FIRST_OF_GAME + own.number());
+      if (own == null) {
+        out.text(m.kind());
+        values(out, m.values());
+      } else {
+        ofGame(out, own, m.values());
+      }
+      end(out, begin);
     } else {
       small(out, message);
     }
@@ -87,10 +106,6 @@ final class PlainEncoder {
       begin = begin(out, PlainIds.EMOTE);
       out.text(m.emote());
       out.whole(m.player());
-    } else if (message instanceof ThinServerMessage.Custom m) {
-      begin = begin(out, PlainIds.CUSTOM);
-      out.text(m.kind());
-      values(out, m.values());
     } else if (message instanceof ThinServerMessage.Event m) {
       begin = begin(out, PlainIds.EVENT);
       out.whole(m.data());
@@ -388,6 +403,19 @@ final class PlainEncoder {
     out.text(f.name());
     out.text(f.scope());
     value(out, f.value());
+  }
+
+  private static void ofGame(KryoOutput out, GameClass own, Map<String, ?> values) {
+    for (GameField field : own.sorted()) {
+      Object value = values.get(field.argument().name());
+      switch (field.argument().type()) {
+        case COUNT, PLAYER, ENTITY -> out.whole((int) value);
+        case FLAG -> out.flag((boolean) value);
+        case REAL -> out.real((float) value);
+        case TEXT -> out.text((String) value);
+        case CHOICE -> out.count(1 + field.constants().indexOf(value));
+      }
+    }
   }
 
   private static void values(KryoOutput out, Map<String, ?> values) {

@@ -48,5 +48,8 @@ final class PlainIds {
   static final int GOODBYE = 68;
   static final int JOINTS = 74;
 
+  /** The first of a game's own classes, see {@link carom.server.thin.GameClasses}. */
+  static final int FIRST_OF_GAME = 75;
+
   private PlainIds() {}
 }

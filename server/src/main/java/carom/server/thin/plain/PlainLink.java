@@ -1,6 +1,7 @@
 package carom.server.thin.plain;
 
 import carom.net.protocol.ProtocolLimits;
+import carom.server.thin.GameClasses;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
 import carom.server.thin.ThinServerMessage;
@@ -64,6 +65,11 @@ final class PlainLink extends ThinLink {
     }
     counters().messageBytesOut.addAndGet(bytes);
     return true;
+  }
+
+  @Override
+  protected void useClasses(GameClasses classes) {
+    connection.use(classes);
   }
 
   @Override

@@ -29,13 +29,18 @@ final class PlainRig implements AutoCloseable {
   final Server server;
 
   PlainRig(ServerConfig config, PlainLimits limits, boolean withUdp) throws IOException {
+    this(config, limits, withUdp, level());
+  }
+
+  PlainRig(ServerConfig config, PlainLimits limits, boolean withUdp, Level level)
+      throws IOException {
     InetAddress here = InetAddress.getLoopbackAddress();
     door = new PlainDoor(List.of(here), 0, withUdp ? 0 : -1, limits, false);
     server =
         new Server(
             config,
-            Games.supplier("arena"),
-            level(),
+            Games.supplier(level.gameName()),
+            level,
             ServerTransports.of(new KryoServerTransport(0, 0), List.of(door)),
             System::nanoTime);
     server.start();

@@ -232,7 +232,7 @@ final class StockKryoTest {
       for (String line : lines) {
         String[] both = line.split("\t");
         byte[] bytes = HexFormat.of().parseHex(both[0]);
-        Object message = decoder.decode(bytes, 0, bytes.length);
+        Object message = decoder.decode(bytes, 0, bytes.length, null);
         assertNull(decoder.problem(), line + " seed=" + SEED);
         if (message instanceof ThinClientMessage.Custom custom) {
           Map<String, String> values = new TreeMap<>();
@@ -249,7 +249,7 @@ final class StockKryoTest {
 
   private static void assertEveryCutIsRefused(PlainDecoder decoder, byte[] bytes) {
     for (int length = 0; length < bytes.length; length++) {
-      assertNull(decoder.decode(bytes, 0, length), "length=" + length);
+      assertNull(decoder.decode(bytes, 0, length, null), "length=" + length);
       assertTrue(decoder.problem() != null, "length=" + length);
     }
   }
