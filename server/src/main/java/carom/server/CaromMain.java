@@ -5,6 +5,7 @@ import carom.options.LabCommand;
 import carom.options.Subcommand;
 import carom.options.VectorApi;
 import carom.server.fleet.FleetCommand;
+import carom.server.level.LevelCommand;
 import java.io.PrintWriter;
 import java.util.ServiceLoader;
 import picocli.CommandLine;
@@ -13,7 +14,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /**
- * Runs {@code carom}: the tools for recorded games and servers, the benchmark, what others bring.
+ * Runs {@code carom}: the tools for recorded games, servers and levels, the benchmark, what others
+ * bring.
  */
 @Command(
     name = "carom",
@@ -23,7 +25,8 @@ import picocli.CommandLine.Spec;
       ReplayCommand.class,
       HealthCommand.class,
       FleetCommand.class,
-      PlainCommand.class
+      PlainCommand.class,
+      LevelCommand.class
     },
     description = "Tools of the Carom game server.")
 public final class CaromMain implements Runnable {

@@ -426,12 +426,15 @@ final class ArchitectureTest {
 
   @Test
   void windowToolkitHasOneHome() {
-    onlyIn(
-        "carom.client.desktop..",
-        "com.badlogicgames..",
-        "org.lwjgl..",
-        "java.awt..",
-        "javax.swing..");
+    onlyIn("carom.client.desktop..", "com.badlogicgames..", "org.lwjgl..", "javax.swing..");
+    // Images without a display: carom level render.
+    noClasses()
+        .that()
+        .resideOutsideOfPackages("carom.client.desktop..", "carom.server.level")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("java.awt..")
+        .check(CAROM);
   }
 
   @Test

@@ -2,13 +2,12 @@ package carom.client.app;
 
 import carom.client.replay.ReplayClient;
 import carom.options.BadFlag;
+import carom.options.PictureSize;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -27,7 +26,6 @@ import picocli.CommandLine.Parameters;
       "Exit codes: 0 done, 1 no display or the recording can't go on, 2 bad flag or file."
     })
 final class RenderCommand implements Callable<Integer> {
-  private static final Pattern SIZE = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
   private static final int MAX_STEPS = 4;
 
   @Parameters(paramLabel = "FILE", description = "What carom-server --record has written.")
@@ -97,11 +95,11 @@ final class RenderCommand implements Callable<Integer> {
   }
 
   private RenderJob job() {
-    Matcher sides = SIZE.matcher(size);
-    int width = sides.matches() ? Integer.parseInt(sides.group(1)) : 0;
-    int height = sides.matches() ? Integer.parseInt(sides.group(2)) : 0;
-    if (width < 160 || width > 7_680 || height < 120 || height > 4_320) {
-      throw bad("--size=" + size + " is not within 160x120..7680x4320");
+    PictureSize picture;
+    try {
+      picture = PictureSize.parse(size);
+    } catch (IllegalArgumentException e) {
+      throw bad(e.getMessage());
     }
     if (fps < 1 || fps > 240) {
       throw bad("--fps=" + fps + " is outside 1..240");
@@ -127,7 +125,8 @@ final class RenderCommand implements Callable<Integer> {
     } catch (IOException e) {
       throw bad(e.getMessage());
     }
-    return new RenderJob(file, folder, from, seconds, fps, width, height, steps, follow);
+    return new RenderJob(
+        file, folder, from, seconds, fps, picture.width(), picture.height(), steps, follow);
   }
 
   private BadFlag bad(String problem) {

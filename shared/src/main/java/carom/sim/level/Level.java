@@ -18,6 +18,12 @@ public final class Level {
   /** Owner id of everything that the level places: no player. */
   public static final int NO_OWNER = -1;
 
+  /**
+   * Version of the format of level files. All files up to now have this one: fields were only
+   * added.
+   */
+  public static final int VERSION = 1;
+
   /** Largest level file, in bytes. */
   public static final int MAX_BYTES = 1 << 22;
 
@@ -346,7 +352,7 @@ public final class Level {
     return triggers;
   }
 
-  private static void requireSize(String fileName, int size) throws LevelException {
+  static void requireSize(String fileName, int size) throws LevelException {
     if (size > MAX_BYTES) {
       throw new LevelException(
           fileName, 0, 0, "", "size exceeds the limit of " + MAX_BYTES + " bytes; split the level");

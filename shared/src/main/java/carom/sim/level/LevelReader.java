@@ -35,6 +35,7 @@ import java.util.Map;
  * triggers have readers of their own.
  */
 final class LevelReader {
+  static final int MAX_VERSION = 65_535;
   static final int MAX_STATIC_ITEMS = 2048;
   static final int MAX_BODY_ITEMS = 1024;
   static final int MAX_PLACEMENTS = 16_384;
@@ -56,6 +57,7 @@ final class LevelReader {
   static final List<String> ROOT =
       List.of(
           "$schema",
+          "version",
           "name",
           "game",
           "gravity",
@@ -125,21 +127,64 @@ final class LevelReader {
   final List<LevelJoint> joints = new ArrayList<>();
   final List<LevelTrigger> triggers = new ArrayList<>();
 
+  /** The item in the file of each archetype. */
+  final List<Json> items = new ArrayList<>();
+
   private final String file;
+  private final List<LevelException> problems; // or null if the first one ends the reading
   private final LevelJointReader jointReader = new LevelJointReader(this);
   private final MaterialReader materials = new MaterialReader();
   private int placedParts;
 
+  /** Reads one item of a list. */
+  private interface ItemReader {
+    void read(Json item) throws JsonException;
+  }
+
   LevelReader(String file, byte[] bytes) throws LevelException {
     this.file = file;
+    problems = null;
     try {
       readRoot(Json.parse(bytes));
     } catch (JsonException e) {
-      throw new LevelException(file, e.line(), e.column(), e.path(), e.getMessage());
+      throw problem(e);
+    }
+  }
+
+  /**
+   * Reads as far as it can.
+   *
+   * @param problems receives what is wrong; if there is anything, what was read is of no use
+   */
+  LevelReader(String file, Json root, List<LevelException> problems) {
+    this.file = file;
+    this.problems = problems;
+    try {
+      readRoot(root);
+    } catch (JsonException e) {
+      problems.add(problem(e));
+    }
+  }
+
+  private LevelException problem(JsonException e) {
+    return new LevelException(file, e.line(), e.column(), e.path(), e.getMessage());
+  }
+
+  private void each(Json root, String field, int limit, ItemReader reader) throws JsonException {
+    for (Json item : list(root, field, limit)) {
+      try {
+        reader.read(item);
+      } catch (JsonException e) {
+        if (problems == null) {
+          throw e;
+        }
+        problems.add(problem(e));
+      }
     }
   }
 
   private void readRoot(Json root) throws JsonException {
+    readVersion(root); // before the fields, which a newer form may have more of
     knownFields(root, ROOT);
     Json schema = root.fields.get("$schema");
     if (schema != null) {
@@ -153,28 +198,31 @@ final class LevelReader {
     readBounds(required(root, "bounds"));
     readTheme(root.fields.get("theme"));
     materials.readNamed(root.fields.get("materials"));
-    for (Json spawn : list(root, "spawns", MAX_SPAWNS)) {
-      readSpawn(spawn);
+    each(root, "spawns", MAX_SPAWNS, this::readSpawn);
+    each(root, "zones", MAX_ZONES, this::readZone);
+    each(root, "areas", MAX_AREAS, area -> areas.add(AreaReader.area(area)));
+    each(root, "pools", Pools.MAX_POOLS, pool -> pools.add(PoolReader.pool(pool)));
+    each(root, "statics", MAX_STATIC_ITEMS, body -> readBody(body, STATIC, statics));
+    each(root, "bodies", MAX_BODY_ITEMS, body -> readBody(body, BODY, bodies));
+    if (problems != null && !problems.isEmpty()) {
+      return; // what joints and triggers name may be what can't be read
     }
-    for (Json zone : list(root, "zones", MAX_ZONES)) {
-      readZone(zone);
-    }
-    for (Json area : list(root, "areas", MAX_AREAS)) {
-      areas.add(AreaReader.area(area));
-    }
-    for (Json pool : list(root, "pools", Pools.MAX_POOLS)) {
-      pools.add(PoolReader.pool(pool));
-    }
-    for (Json body : list(root, "statics", MAX_STATIC_ITEMS)) {
-      readBody(body, STATIC, statics);
-    }
-    for (Json body : list(root, "bodies", MAX_BODY_ITEMS)) {
-      readBody(body, BODY, bodies);
-    }
-    for (Json joint : list(root, "joints", LevelJointReader.MAX_JOINTS)) {
-      joints.add(jointReader.read(joint));
-    }
+    each(root, "joints", LevelJointReader.MAX_JOINTS, joint -> joints.add(jointReader.read(joint)));
     triggers.addAll(new TriggerReader(this, file, jointReader).read(root));
+  }
+
+  private static void readVersion(Json root) throws JsonException {
+    require(root, Json.Kind.OBJECT);
+    int version = integer(root, "version", Level.VERSION, 1, MAX_VERSION);
+    if (version > Level.VERSION) {
+      throw wrong(
+          root.fields.get("version"),
+          "="
+              + version
+              + " is newer than "
+              + Level.VERSION
+              + ", the newest that this program reads; use a newer Carom");
+    }
   }
 
   private void readBounds(Json node) throws JsonException {
@@ -290,6 +338,7 @@ final class LevelReader {
       jointReader.item(def.name, isStatic, first, out.size() - first);
     }
     archetypes.add(def);
+    items.add(node);
   }
 
   private void readMoving(Json node, ArchetypeDef def, float[] at) throws JsonException {

@@ -602,6 +602,33 @@ class LevelTest {
   }
 
   @Test
+  void aFileMayNameItsVersionAndANewerOneIsRefused() throws Exception {
+    assertEquals("t", parse(HEAD + "\"version\": " + Level.VERSION + "}").name());
+    byte[] newer = (HEAD + "\"version\": 7, \"gadgets\": []}").getBytes(UTF_8);
+    LevelException e = assertThrows(LevelException.class, () -> Level.parse("t.json", newer));
+    assertEquals(
+        "t.json:4:12: version=7 is newer than 1, the newest that this program reads; use a newer"
+            + " Carom",
+        e.getMessage());
+  }
+
+  @Test
+  void aCheckNamesEveryProblem() {
+    CheckedLevel checked =
+        CheckedLevel.of(
+            "t.json",
+            (HEAD
+                    + "\"spawns\": [{\"at\": [99, 0]}, {\"at\": [0]}],\n\"bodies\": [{\"at\": [0,"
+                    + " 0], \"shape\": {\"type\": \"circle\", \"radius\": -1}}],\n\"joints\":"
+                    + " [{\"type\": \"weld\"}]}")
+                .getBytes(UTF_8));
+    assertEquals(null, checked.level());
+    assertEquals(
+        List.of("spawns[0].at", "spawns[1].at", "bodies[0].shape.radius"),
+        checked.problems().stream().map(LevelException::field).toList());
+  }
+
+  @Test
   void keepsTheFileForTheClients() throws Exception {
     Level level = Level.builtIn("arena");
     Level again = Level.parse("copy", level.source());
