@@ -142,7 +142,7 @@ final class Stage {
     return new ArchetypeDef(name)
         .type(BodyType.STATIC)
         .sensor(true)
-        .shape(new Box(0.55f, 0.4f), SKIN)
+        .shape(Box.of(1.1f, 0.8f), SKIN)
         .appearance(Appearance.of(rgb, Appearance.Look.COIN));
   }
 
@@ -164,7 +164,7 @@ final class Stage {
     Capsule arm = new Capsule(0, -0.2f, 0, 0.2f, 0.09f);
     Capsule leg = new Capsule(0, -0.22f, 0, 0.22f, 0.11f);
     return new AssemblyDef("ragdoll." + colour)
-        .body("torso", limb("torso", colour).shape(new Box(0.22f, 0.3f), CLOTH), 0, 0)
+        .body("torso", limb("torso", colour).shape(Box.of(0.44f, 0.6f), CLOTH), 0, 0)
         .body("head", limb("head", colour).shape(round, CLOTH), 0, 0.52f)
         .body("arm", limb("arm", colour).shape(arm, CLOTH), -0.28f, 0.05f)
         .body("arm2", limb("arm", colour).shape(arm, CLOTH), 0.28f, 0.05f)

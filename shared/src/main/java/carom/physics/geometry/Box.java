@@ -21,7 +21,20 @@ public final class Box extends Convex {
   private final float centerX;
   private final float centerY;
 
-  /** Creates a rectangle of 2 halfWidth x 2 halfHeight metres around the frame's origin. */
+  /**
+   * Creates a rectangle around the frame's origin by its whole sizes, as level files tell them.
+   *
+   * @param width horizontal size, twice {@link Shape#MIN_SIZE} to {@link Shape#MAX_SIZE}, metres
+   * @param height vertical size, same range
+   */
+  public static Box of(float width, float height) {
+    return new Box(width / 2, height / 2);
+  }
+
+  /**
+   * Creates a rectangle of 2 halfWidth x 2 halfHeight metres around the frame's origin. {@link #of}
+   * takes whole sizes.
+   */
   public Box(float halfWidth, float halfHeight) {
     this(halfWidth, halfHeight, 0, 0);
   }

@@ -13,6 +13,12 @@ import org.junit.jupiter.api.Test;
 
 final class ShapeTest {
   @Test
+  void aBoxBySizesIsTheBoxOfHalfSizes() {
+    assertEquals(new Box(0.55f, 0.4f).toString(), Box.of(1.1f, 0.8f).toString());
+    assertEquals(0.88f, Box.of(1.1f, 0.8f).area(), 1e-6f);
+  }
+
+  @Test
   void massesFollowTheClosedForms() {
     assertMass(new Circle(2, 3, 4).mass(5), 5 * Math.PI * 4, 3, 4, 5 * Math.PI * 4 * 2);
     assertMass(new Box(1.5f, 0.5f, 1, 2).mass(2), 6, 1, 2, 6 * (9 + 1) / 12.0);
