@@ -3,12 +3,12 @@ package hill;
 import static carom.sim.event.Audience.NEAR;
 import static carom.sim.field.Scope.PLAYER;
 
-import carom.sim.SetUp;
-import carom.sim.Match;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Game;
+import carom.sim.Match;
+import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -21,7 +21,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import java.util.List;
 
-/** Players push each other off a hill. Who stands on it gains a point a second. */
+/** Players push each other off the summit. The one who stands on it gains a point a second. */
 public final class HillGame implements Game {
   private static final Countdown DASH = Field.countdown("dash").of(PLAYER).to(NEAR);
 
@@ -74,9 +74,9 @@ public final class HillGame implements Game {
     if (m.tick() % m.tickRate() != 0) {
       return;
     }
-    Level.Zone hill = m.level().zones("hill").get(0);
+    Level.Zone summit = m.level().zones("summit").get(0);
     for (Player p : m.players()) {
-      if (hill.contains(p.entity().x(), p.entity().y())) {
+      if (summit.contains(p.entity().x(), p.entity().y())) {
         m.addScore(p, 1);
       }
     }

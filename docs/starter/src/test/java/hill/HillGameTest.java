@@ -16,7 +16,7 @@ class HillGameTest {
   private static final Impairment BAD = Impairment.NONE.withLatency(75, 5).withLoss(2);
 
   @Test
-  void standingOnTheHillGainsPoints() {
+  void standingOnTheSummitGainsPoints() {
     InputSource walk =
         (view, tick, out) -> out.move(view.own() == null || view.own().x() > -1 ? 0 : 1, 0);
     try (Stepper world = Stepper.of(HillGame::new, "hill")) {

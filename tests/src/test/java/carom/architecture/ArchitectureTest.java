@@ -323,6 +323,9 @@ final class ArchitectureTest {
     // The one that knows both: it starts a server in the client's process.
     allow(
         "carom.launcher",
+        "carom.game",
+        "carom.options",
+        "carom.text",
         "carom.server..",
         "carom.client",
         "carom.client.app",

@@ -35,6 +35,7 @@ import org.w3c.dom.NodeList;
 @Needs("processes")
 class StarterTest {
   private static final Path STARTER = Path.of("..", "docs", "starter");
+  private static final String GROUP = "io.github.carom-engine";
   private static final int MOST_SECONDS = 900; // takes 5 to 10 on a machine that does nothing else
 
   private List<String> path; // as Gradle resolved it: jars of Carom, of its libraries and of JUnit
@@ -52,7 +53,7 @@ class StarterTest {
 
   @Test
   void theStartersTestsPass() throws Exception {
-    Path main = compile("src/main/java", compilePath("carom-shared"));
+    Path main = compile("src/main/java", compilePath("carom-client-headless"));
     Set<String> testPath = compilePath("carom-testkit");
     path.stream().filter(jar -> jar.matches(".*(junit|apiguardian).*")).forEach(testPath::add);
     testPath.add(main.toString());
@@ -86,10 +87,21 @@ class StarterTest {
   }
 
   @Test
-  void itsDependenciesAreThoseOfTheInstallation() {
-    List<String> names = path.stream().map(jar -> Path.of(jar).getFileName().toString()).toList();
+  void testsBringNoWindow() {
+    List<String> toolkit = path.stream().filter(jar -> jar.matches(".*(gdx|lwjgl).*")).toList();
+    assertEquals(List.of(), toolkit);
+  }
+
+  @Test
+  void whatRunsItIsThatOfTheInstallation() {
+    String programs = System.getProperty("carom.starter.programs");
+    List<String> names =
+        Stream.of(programs.split(File.pathSeparator))
+            .map(jar -> Path.of(jar).getFileName().toString())
+            .toList();
     assertTrue(
         names.stream().anyMatch(name -> name.matches("gdx-platform-.*-natives-desktop.jar")));
+    assertTrue(names.stream().anyMatch(name -> name.startsWith("carom-launcher")), names::toString);
     assertEquals(
         1, names.stream().filter(name -> name.matches("kryo-[0-9].*")).count(), names::toString);
     assertFalse(names.stream().anyMatch(name -> name.contains("jsonbeans")), names::toString);
@@ -121,7 +133,8 @@ class StarterTest {
 
   private void addCompilePath(String artifact, Set<String> jars) throws Exception {
     Path pom;
-    try (Stream<Path> files = Files.walk(repository.resolve("carom").resolve(artifact))) {
+    try (Stream<Path> files =
+        Files.walk(repository.resolve(GROUP.replace('.', '/')).resolve(artifact))) {
       pom = files.filter(file -> file.toString().endsWith(".pom")).findFirst().orElseThrow();
     }
     jars.add(pom.toString().replaceFirst("pom$", "jar"));
@@ -135,7 +148,7 @@ class StarterTest {
       if (!value(dependency, "scope").equals("compile")) {
         continue;
       }
-      if (value(dependency, "groupId").equals("carom")) {
+      if (value(dependency, "groupId").equals(GROUP)) {
         addCompilePath(value(dependency, "artifactId"), jars);
       } else {
         String name = value(dependency, "artifactId") + "-" + value(dependency, "version") + ".jar";

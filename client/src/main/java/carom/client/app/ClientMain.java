@@ -104,6 +104,17 @@ public final class ClientMain implements Callable<Integer> {
                   + " (1 when no number is given).")
           .alone("1");
 
+  private static final Setting<String> HERE =
+      ROWS.text("here", "LEVEL", "")
+          .text("Start a game with this level on this machine, in this process; see --bots.");
+
+  private static final Setting<Integer> BOTS =
+      ROWS.whole("bots", "N", 0, LocalGames.MAX_BOTS, 0)
+          .text("Players of the machine in the game of --here, {range} ({default}).");
+
+  private static final Setting<Boolean> OPEN =
+      ROWS.mark("open").text("Let others join the game of --here, over the network.");
+
   private static final Setting<Boolean> ROOM_LIST =
       ROWS.mark("list").text("Print the rooms of the server instead of playing, one a line.");
 
@@ -144,6 +155,9 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (problem == null && !flags.get(SCENE).isEmpty()) {
       problem = sceneProblem();
+    }
+    if (problem == null && !flags.get(HERE).isEmpty()) {
+      problem = hereProblem();
     }
     if (problem == null
         && flags.get(WATCH) != null
@@ -210,7 +224,10 @@ public final class ClientMain implements Callable<Integer> {
             spec.commandLine().getParseResult().hasMatchedOption("--name"),
             recording,
             spectator,
-            flags.get(SCENE).isEmpty() ? null : Scenes.get(flags.get(SCENE)));
+            flags.get(SCENE).isEmpty() ? null : Scenes.get(flags.get(SCENE)),
+            flags.get(HERE).isEmpty()
+                ? null
+                : new LocalGames.GameChoice(flags.get(HERE), flags.get(BOTS), flags.get(OPEN)));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
@@ -323,6 +340,25 @@ public final class ClientMain implements Callable<Integer> {
             + flags.get(SCENE)
             + Suggestion.didYouMean(flags.get(SCENE), Scenes.names())
             + "; --scene list shows all";
+  }
+
+  private String hereProblem() {
+    if (flags.get(HEADLESS)
+        || flags.get(REPLAY) != null
+        || flags.get(WATCH) != null
+        || !flags.get(SCENE).isEmpty()) {
+      return "--here excludes --headless, --replay, --scene and --watch";
+    }
+    LocalGames games = LocalGames.find();
+    if (games == null) {
+      return "--here: this build can't start games; it lacks carom-launcher";
+    }
+    try {
+      games.level(flags.get(HERE));
+      return null;
+    } catch (IllegalStateException e) {
+      return "--here: " + e.getMessage();
+    }
   }
 
   private int playHeadless(GameClient client, StopSignal stop) {

@@ -29,6 +29,7 @@ import java.nio.file.Path;
  * @param spectator the download by which that recording grows ({@code --watch}), which is shown
  *     from its end on; null for a whole recording
  * @param scene a scene to show instead of playing ({@code --scene NAME}); null to play
+ * @param here a game to start on this machine ({@code --here LEVEL}); null for none
  */
 public record ClientOptions(
     ClientConfig config,
@@ -44,4 +45,5 @@ public record ClientOptions(
     boolean named,
     Path replay,
     SpectatorThread spectator,
-    Scene scene) {}
+    Scene scene,
+    LocalGames.GameChoice here) {}

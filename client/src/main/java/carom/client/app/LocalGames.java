@@ -39,7 +39,12 @@ public interface LocalGames {
   /** Returns the names of the levels, the usual one first. */
   List<String> levels();
 
-  /** Returns a level of {@link #levels}. */
+  /**
+   * Returns a level.
+   *
+   * @param name one of {@link #levels}, or a file
+   * @throws IllegalStateException in words for the player, when there is none
+   */
   Level level(String name);
 
   /**

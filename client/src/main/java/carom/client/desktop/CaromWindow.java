@@ -127,6 +127,8 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       }
     } else if (options.scene() != null) {
       show(options.scene(), () -> Gdx.app.exit());
+    } else if (options.here() != null) {
+      playHere(options.here());
     } else if (options.connectAtOnce()) {
       play();
     } else {
@@ -187,6 +189,16 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     show(game);
     if (local != null && !local.invitation().isEmpty()) {
       game.announce(local.invitation());
+    }
+  }
+
+  /** Plays a game of this machine at once; says on the start screen why it can't be started. */
+  private void playHere(LocalGames.GameChoice choice) {
+    try {
+      local = games.start(choice);
+      play();
+    } catch (IllegalStateException e) {
+      start(e.getMessage());
     }
   }
 
