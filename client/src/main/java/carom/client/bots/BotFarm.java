@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * joining bots are updated first and several times per frame: on a slow machine a frame of a large
  * crowd takes a tenth of a second.
  */
-public final class BotFarm implements AutoCloseable {
+public final class BotFarm implements Crowd {
   private static final Logger LOG = LoggerFactory.getLogger(BotFarm.class);
 
   /** Time between two joins. */
@@ -159,6 +159,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Updates all bots, and starts the next ones when it is time. */
+  @Override
   public void update(long nowNs) {
     int begin = started;
     while (started < players.size() && (started == 0 || nowNs - nextJoinNs >= 0)) {
@@ -276,6 +277,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Returns how many bots are playing. */
+  @Override
   public int playing() {
     int n = 0;
     for (BotPlayer p : players) {
@@ -303,6 +305,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Returns how many bots have joined or given up. */
+  @Override
   public int settled() {
     int n = 0;
     for (BotPlayer p : players) {
@@ -312,6 +315,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Returns whether no bot plays or tries to. */
+  @Override
   public boolean over() {
     for (BotPlayer p : players) {
       if (!isOver(p)) {
@@ -329,6 +333,7 @@ public final class BotFarm implements AutoCloseable {
    * Returns why a bot can't play, in words for people; empty if all can. Prefers a bot that has
    * given up.
    */
+  @Override
   public String problem() {
     String problem = "";
     for (BotPlayer p : players) {
@@ -343,6 +348,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /** Returns a line about the last second; cheap, unlike {@link #report}. */
+  @Override
   public String progress() {
     double snapshots = 0;
     double rtt = 0;
@@ -386,6 +392,7 @@ public final class BotFarm implements AutoCloseable {
    * Returns the figures of all stays of the bots; see {@link BotReport}. Takes about a millisecond
    * per bot, which disturbs bots that play.
    */
+  @Override
   public BotReport report(long nowNs) {
     double snapshots = 0;
     double gap = 0;
@@ -449,7 +456,8 @@ public final class BotFarm implements AutoCloseable {
         inputs == 0 ? 0 : 100 * late / inputs,
         longestGapNs / 1e6,
         redirects,
-        ticksLost);
+        ticksLost,
+        0);
   }
 
   /** Makes all bots leave. */

@@ -5,6 +5,10 @@ import carom.client.PredictionMode;
 import carom.client.app.NetworkOptions;
 import carom.client.app.ProgramVersion;
 import carom.client.app.StopSignal;
+import carom.client.bots.thin.PlainDoor;
+import carom.client.bots.thin.ThinDoor;
+import carom.client.bots.thin.WebDoor;
+import carom.client.link.ServerAddress;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
@@ -15,6 +19,7 @@ import carom.options.LabCommand;
 import carom.options.Rows;
 import carom.options.Setting;
 import carom.physics.threads.WorkerThreads;
+import java.io.IOException;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
@@ -84,6 +89,26 @@ public final class BotsMain implements Callable<Integer> {
   private static final Setting<Boolean> ROAM =
       ROWS.mark("roam")
           .text("Walk about all over the level instead of playing, which gathers at the balls.");
+
+  /** The doors by which bots can come. */
+  private enum Door {
+    /** Carom's own client. */
+    OWN,
+    /** Stock KryoNet and Kryo. */
+    PLAIN,
+    /** WebSocket, with texts of JSON. */
+    WEB,
+    /** WebSocket, with snapshots in the binary form. */
+    BINARY
+  }
+
+  private static final Setting<Door> DOOR =
+      ROWS.choice("door", "DOOR", Door.OWN)
+          .text(
+              "How they come: own is Carom's client; plain is stock KryoNet, at --host"
+                  + " HOST:TCP/UDP, without /UDP by TCP alone; web is WebSocket with JSON, binary"
+                  + " with the compact form, at --host HOST:PORT. The last three walk about and"
+                  + " predict nothing ({default}).");
 
   private static final Setting<Double> CHURN =
       ROWS.number("churn", "S", 0, 1000000, 0)
@@ -167,6 +192,9 @@ public final class BotsMain implements Callable<Integer> {
       throw new BadFlag(spec.commandLine(), problem);
     }
     network.startLogging();
+    if (flags.get(DOOR) != Door.OWN) {
+      return playThin();
+    }
     // Threads that begin later inherit it. A crowd of bots mostly shares a machine with the server
     // that it is to load, and must not take the processor from a tick.
     Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
@@ -188,6 +216,35 @@ public final class BotsMain implements Callable<Integer> {
                 flags.get(CHURN),
                 workers)) {
       return play(farm, stop);
+    }
+  }
+
+  private int playThin() throws InterruptedException {
+    if (network.isBad() || flags.get(CHURN) > 0) {
+      throw new BadFlag(spec.commandLine(), "--door takes neither --churn nor a simulated network");
+    }
+    try (StopSignal stop = new StopSignal();
+        ThinFarm farm =
+            new ThinFarm(
+                opener(),
+                flags.get(NAME),
+                flags.get(ClientConfig.ROOM),
+                flags.get(COUNT),
+                flags.get(SEED))) {
+      return play(farm, stop);
+    }
+  }
+
+  private ThinDoor.Opener opener() {
+    ServerAddress to = network.address();
+    if (flags.get(DOOR) != Door.PLAIN) {
+      return WebDoor.opener(
+          "ws://" + to.host() + ":" + to.tcpPort() + "/thin", flags.get(DOOR) == Door.BINARY);
+    }
+    try {
+      return PlainDoor.opener(to.host(), to.tcpPort(), to.udpPort());
+    } catch (IOException e) {
+      throw new BadFlag(spec.commandLine(), "--door=plain: " + e.getMessage());
     }
   }
 
@@ -227,7 +284,7 @@ public final class BotsMain implements Callable<Integer> {
     return Math.max(1, Math.min(Math.min(wanted, processors - 1), WorkerThreads.MAX_COUNT));
   }
 
-  private int play(BotFarm farm, StopSignal stop) throws InterruptedException {
+  private int play(Crowd farm, StopSignal stop) throws InterruptedException {
     int count = flags.get(COUNT);
     long start = pace.nanoTime();
     long now = start;
