@@ -216,8 +216,12 @@ final class ServerStart {
     int places = RoomConfig.places(rooms);
     try {
       plain = PlainFlags.open(config, flags.bindAddresses());
+      Impairment impairment = flags.impairment();
       if (plain != null) {
         all.add(plain);
+        if (impairment != null) {
+          plain.simulate(impairment);
+        }
       }
       play =
           PlayFlags.open(
@@ -227,6 +231,9 @@ final class ServerStart {
               Lobby.mostLinksOfAddress(places));
       if (play != null) {
         all.add(play);
+        if (impairment != null) {
+          play.simulate(impairment);
+        }
       }
       return ServerTransports.of(all.get(0), all.subList(1, all.size()));
     } catch (IOException e) {

@@ -5,7 +5,9 @@ import carom.net.protocol.MessageDatagram;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.transport.BadLine;
 import carom.net.transport.Broadcast;
+import carom.net.transport.HandshakeLine;
 import carom.net.transport.Link;
 import carom.net.transport.LinkCounters;
 import carom.net.transport.LinkHandler;
@@ -33,8 +35,8 @@ import java.util.function.BooleanSupplier;
  *   lobby, room ──send──► tell ──► door        room ──show──► door
  * </pre>
  *
- * <p>Each door extends it by the bytes: {@link #tell}, {@link #show}, {@link #hangUp}. A door calls
- * {@link #receive}, {@link #heard} and {@link #lost} from its own thread.
+ * <p>Each door extends it by the bytes: {@link #write}, {@link #draw}, {@link #hangUp}. A door
+ * calls {@link #receive}, {@link #heard} and {@link #lost} from its own thread.
  */
 public abstract class ThinLink implements Link {
   /** The version of what thin clients and servers say to each other. */
@@ -67,6 +69,11 @@ public abstract class ThinLink implements Link {
   private int seenTick = -1;
   private long newestInput;
   private long unseenButtons;
+
+  // Set before the link is used.
+  private BadLine up;
+  private BadLine down;
+  private int simulatedMs;
 
   private volatile State state = State.OPEN;
   private volatile int rate = DEFAULT_RATE;
@@ -109,7 +116,7 @@ public abstract class ThinLink implements Link {
    *
    * @return false if the link is closed
    */
-  protected abstract boolean tell(ThinServerMessage message);
+  protected abstract boolean write(ThinServerMessage message);
 
   /**
    * Returns whether the peer takes a snapshot now: nothing of an earlier one waits on this side. If
@@ -118,12 +125,12 @@ public abstract class ThinLink implements Link {
   public abstract boolean takesSnapshot();
 
   /**
-   * Sends a snapshot, at once. The room's thread.
+   * Sends a snapshot, at once. One thread at a time.
    *
    * @param snapshot valid only during the call
    * @return bytes of payload that it takes
    */
-  public abstract int show(ThinSnapshot snapshot);
+  protected abstract int draw(ThinSnapshot snapshot);
 
   /**
    * Begins to send the game's messages by classes that the client has, or by name. The room's
@@ -139,11 +146,61 @@ public abstract class ThinLink implements Link {
   // What a door calls.
 
   /**
+   * Makes the network bad on purpose: what comes and goes is late, and of datagrams some are lost.
+   * Call it before anything else.
+   */
+  public final void simulate(HandshakeLine network) {
+    up = new BadLine(network);
+    down = new BadLine(network);
+    simulatedMs = (int) (network.roundTripNanos() / 1_000_000);
+  }
+
+  /**
    * Takes a message from the peer. The door's thread.
    *
    * @return false if the link is closed, or closes now because too much waits
    */
   protected final boolean receive(ThinClientMessage message) {
+    if (up == null) {
+      return take(message);
+    }
+    if (stream || !(message instanceof ThinClientMessage.Input)) {
+      up.reliable(() -> take(message));
+    } else {
+      up.datagram(() -> take(message));
+    }
+    return state == State.OPEN;
+  }
+
+  /** Tells the client something, reliably and in order; see {@link #write}. Any thread. */
+  protected final boolean tell(ThinServerMessage message) {
+    if (down == null) {
+      return write(message);
+    }
+    down.reliable(() -> write(message));
+    return state == State.OPEN;
+  }
+
+  /**
+   * Shows the client a snapshot. The room's thread.
+   *
+   * @param snapshot valid only during the call
+   * @return bytes of payload that it takes, or on a simulated network about as many
+   */
+  public final int show(ThinSnapshot snapshot) {
+    if (down == null) {
+      return draw(snapshot);
+    }
+    ThinSnapshot copy = snapshot.copy();
+    if (stream) {
+      down.reliable(() -> draw(copy));
+    } else {
+      down.datagram(() -> draw(copy));
+    }
+    return Integer.BYTES * (copy.goneCount + 4 * copy.count);
+  }
+
+  private boolean take(ThinClientMessage message) {
     counters.messagesIn.incrementAndGet();
     synchronized (lock) {
       heard = true;
@@ -179,7 +236,7 @@ public abstract class ThinLink implements Link {
 
   /** Notes the round trip to the peer and back, ms. The door's thread. */
   protected final void roundTripMs(int ms) {
-    roundTripMs = ms;
+    roundTripMs = ms + simulatedMs;
   }
 
   /** Notes that the peer has gone or the connection broke. The door's thread. */
@@ -562,7 +619,11 @@ public abstract class ThinLink implements Link {
       closeReason = reason;
       state = State.CLOSED;
     }
-    hangUp(reason);
+    if (down == null) {
+      hangUp(reason);
+    } else {
+      down.reliable(() -> hangUp(reason));
+    }
   }
 
   @Override

@@ -92,6 +92,19 @@ public final class ThinSnapshot {
     gone[goneCount++] = newId;
   }
 
+  /** Returns another one that tells the same. */
+  public ThinSnapshot copy() {
+    ThinSnapshot copy = new ThinSnapshot();
+    copy.clear(tick, input);
+    for (int i = 0; i < count; i++) {
+      copy.add(id[i], x[i], y[i], angle[i], archetype[i], owner[i]);
+    }
+    for (int i = 0; i < goneCount; i++) {
+      copy.addGone(gone[i]);
+    }
+    return copy;
+  }
+
   /** Returns whether it tells nothing. */
   public boolean isEmpty() {
     return count == 0 && goneCount == 0;

@@ -5,9 +5,9 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The simulated bad network below the handshake of links, where {@link ImpairedLink} isn't yet. A
- * step of the handshake is an answer, so this delays what leaves by the way there and the way back.
- * It runs what is due on one daemon thread. Any thread may use it.
+ * The simulated bad network where {@link ImpairedLink} isn't: below the handshake of links, and
+ * {@link BadLine}s. A step of the handshake is an answer, so it leaves later by the way there and
+ * the way back. It runs what is due on one daemon thread. Any thread may use it.
  */
 public final class HandshakeLine implements AutoCloseable {
   private final Impairment impairment;
@@ -38,9 +38,15 @@ public final class HandshakeLine implements AutoCloseable {
     return oneWayNanos() + oneWayNanos();
   }
 
-  private long oneWayNanos() {
+  /** Returns the time of one way, ns; each call draws its own. */
+  public synchronized long oneWayNanos() {
     double ms = impairment.latencyMs() + (2 * random.unit() - 1) * impairment.jitterMs();
     return (long) (Math.max(0, ms) * 1e6);
+  }
+
+  /** Returns whether a datagram is lost. */
+  public synchronized boolean losesOne() {
+    return random.unit() * 100 < impairment.lossPercent();
   }
 
   /** Returns whether a datagram or the answer to it is lost. */

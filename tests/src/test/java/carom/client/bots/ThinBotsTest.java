@@ -3,12 +3,15 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.bots.thin.PlainDoor;
+import carom.client.bots.thin.ThinPicture;
+import carom.fixtures.OutsideRelay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
+import carom.net.transport.Impairment;
 import carom.net.transport.ServerTransports;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.plain.PlainFlags;
 import carom.server.thin.web.PlayFlags;
 import carom.server.thin.web.PlayPort;
@@ -18,8 +21,10 @@ import carom.text.Json;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
@@ -33,7 +38,9 @@ import org.junit.jupiter.api.Timeout;
 @Needs("sockets")
 @Timeout(120)
 final class ThinBotsTest {
-  private PlainDoor plain;
+  private static final int WAY_MS = 60;
+
+  private carom.server.thin.plain.PlainDoor plain;
   private PlayPort play;
   private Server server;
 
@@ -109,6 +116,49 @@ final class ThinBotsTest {
     Assumptions.assumeTrue(System.getProperty("carom.plain.path") != null, "run by Gradle");
     assertPlayed(run(0, "plain", "127.0.0.1:" + plain.tcpPort() + "/" + plain.udpPort()));
     assertPlayed(run(0, "plain", "127.0.0.1:" + plain.tcpPort()));
+  }
+
+  @Test
+  void aSimulatedNetworkDelaysBothWaysOfBothDoors() throws Exception {
+    play.simulate(Impairment.NONE.withLatency(WAY_MS, 5));
+    assertLate(run(0, "binary", "127.0.0.1:" + play.tcpPort()));
+    Assumptions.assumeTrue(System.getProperty("carom.plain.path") != null, "run by Gradle");
+    plain.simulate(Impairment.NONE.withLatency(WAY_MS, 5).withLoss(5));
+    assertLate(run(0, "plain", "127.0.0.1:" + plain.tcpPort() + "/" + plain.udpPort()));
+  }
+
+  private static void assertLate(Json report) {
+    assertPlayed(report);
+    assertTrue(number(report, "keyP50Ms") > 2 * (WAY_MS - 5), report.shown());
+  }
+
+  @Test
+  void twoPercentLossMakeNoPictureStall() throws Exception {
+    Assumptions.assumeTrue(System.getProperty("carom.plain.path") != null, "run by Gradle");
+    InetAddress here = InetAddress.getLoopbackAddress();
+    try (OutsideRelay relay =
+            new OutsideRelay(
+                here,
+                0,
+                new InetSocketAddress(here, plain.tcpPort()),
+                new InetSocketAddress(here, plain.udpPort()),
+                10,
+                2);
+        ThinFarm farm =
+            new ThinFarm(
+                PlainDoor.opener("127.0.0.1", relay.tcpPort(), relay.udpPort()), "b", "", 4, 1)) {
+      long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(8);
+      while (System.nanoTime() - end < 0 || farm.playing() < 4) {
+        farm.update(System.nanoTime());
+        Thread.sleep(4);
+        assertTrue(System.nanoTime() - end < TimeUnit.SECONDS.toNanos(40), farm.problem());
+      }
+      assertEquals(0, farm.report(System.nanoTime()).errors());
+      for (ThinPicture picture : farm.pictures()) {
+        // Two ticks from snapshot to snapshot; a picture that is two snapshots late bridges four.
+        assertTrue(picture.gapP99Ticks() <= 4, "ticks=" + picture.gapP99Ticks());
+      }
+    }
   }
 
   @Test

@@ -54,7 +54,7 @@ final class ThinDoor implements ServerTransport {
     }
 
     @Override
-    protected boolean tell(ThinServerMessage message) {
+    protected boolean write(ThinServerMessage message) {
       heard.add(message);
       if (message instanceof ThinServerMessage.Welcome w) {
         welcome = w;
@@ -79,7 +79,7 @@ final class ThinDoor implements ServerTransport {
     }
 
     @Override
-    public int show(ThinSnapshot s) {
+    protected int draw(ThinSnapshot s) {
       int bytes = 8 + 16 * s.count;
       if (random.nextDouble() < loss) {
         return bytes;

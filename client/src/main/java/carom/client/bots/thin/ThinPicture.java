@@ -11,9 +11,11 @@ import org.HdrHistogram.Histogram;
  */
 public final class ThinPicture {
   private static final long MOST_MICROS = 60_000_000L;
+  private static final int MOST_TICKS = 10_000;
 
   private final Map<Integer, Body> bodies = new HashMap<>();
   private final Histogram gaps = new Histogram(MOST_MICROS, 2);
+  private final Histogram tickGaps = new Histogram(MOST_TICKS, 2);
   private final Histogram keys = new Histogram(MOST_MICROS, 2);
   private int player = -1;
   private int tick = -1;
@@ -68,6 +70,9 @@ public final class ThinPicture {
     if (newTick > tick) {
       parts = 0;
       snapshots++;
+      if (tick >= 0) {
+        tickGaps.recordValue(Math.min(MOST_TICKS, newTick - tick));
+      }
       if (lastNs == 0) {
         firstNs = nowNs;
       } else {
@@ -193,6 +198,11 @@ public final class ThinPicture {
   /** Returns the time between two snapshots that 99 % stay below, ms. */
   public synchronized double gapP99Ms() {
     return gaps.getValueAtPercentile(99) / 1e3;
+  }
+
+  /** Returns the ticks between two snapshots of which 99 % have no more. */
+  public synchronized long gapP99Ticks() {
+    return tickGaps.getValueAtPercentile(99);
   }
 
   /** Returns the longest time between two snapshots, and since the last one, ms. */

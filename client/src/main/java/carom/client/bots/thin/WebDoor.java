@@ -62,8 +62,13 @@ public final class WebDoor implements ThinDoor, WebSocket.Listener {
       } catch (ExecutionException | TimeoutException e) {
         throw new IOException(address + ": " + (e.getCause() == null ? e : e.getCause()), e);
       }
-      String asks = "{\"join\":{\"name\":\"%s\",\"room\":\"%s\",\"binary\":%s}}";
-      door.say(String.format(Locale.ROOT, asks, name, room, binary));
+      door.say(
+          String.format(
+              Locale.ROOT,
+              "{\"join\":{\"name\":\"%s\",\"room\":\"%s\",\"binary\":%s}}",
+              name,
+              room,
+              binary));
       return door;
     };
   }

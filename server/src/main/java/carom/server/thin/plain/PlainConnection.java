@@ -228,6 +228,9 @@ final class PlainConnection implements Entrance.Guest {
     }
     synchronized (udpLock) { // from here on the UDP address stays what it is
       to = new PlainLink(this, remote, udp);
+      if (door.network() != null) {
+        to.simulate(door.network());
+      }
       link = to;
     }
     to.take(message);

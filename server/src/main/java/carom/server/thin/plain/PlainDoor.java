@@ -5,6 +5,8 @@ import carom.net.admission.Hosts;
 import carom.net.frame.DatagramPort;
 import carom.net.protocol.RefusalReason;
 import carom.net.transport.AddressFamily;
+import carom.net.transport.HandshakeLine;
+import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
@@ -62,6 +64,7 @@ public final class PlainDoor implements ServerTransport, Runnable {
   private volatile PlainLimits limits;
   private volatile int most;
   private volatile int mostPerAddress;
+  private volatile HandshakeLine network;
   private volatile Runnable wake = () -> {};
   private volatile boolean stopping;
 
@@ -415,6 +418,19 @@ public final class PlainDoor implements ServerTransport, Runnable {
     mostPerAddress = Math.min(limits.maxPerAddress(), newMostPerAddress);
   }
 
+  /**
+   * Makes the network bad on purpose, for connections from now on: latency, jitter and loss.
+   * Handshake and pings of KryoNet itself are as they are.
+   */
+  public void simulate(Impairment impairment) {
+    network = new HandshakeLine(impairment);
+  }
+
+  /** Returns the simulated network, or null. */
+  HandshakeLine network() {
+    return network;
+  }
+
   @Override
   public int tcpPort() {
     return tcpPort;
@@ -450,6 +466,10 @@ public final class PlainDoor implements ServerTransport, Runnable {
    */
   @Override
   public void close() {
+    HandshakeLine simulated = network;
+    if (simulated != null) {
+      simulated.close();
+    }
     stopping = true;
     selector.wakeup();
     boolean interrupted = false;

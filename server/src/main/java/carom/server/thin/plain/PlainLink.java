@@ -57,7 +57,7 @@ final class PlainLink extends ThinLink {
   }
 
   @Override
-  protected boolean tell(ThinServerMessage message) {
+  protected boolean write(ThinServerMessage message) {
     int bytes = connection.tell(message);
     if (bytes < 0) {
       close("the client doesn't read what it is sent");
@@ -78,7 +78,7 @@ final class PlainLink extends ThinLink {
   }
 
   @Override
-  public int show(ThinSnapshot snapshot) {
+  protected int draw(ThinSnapshot snapshot) {
     int bytes = 0;
     int parts =
         cutter.cut(snapshot, udp == null ? MAX_STREAM_PART : ProtocolLimits.MAX_DATAGRAM_BYTES);

@@ -1,6 +1,8 @@
 package carom.server.thin.web;
 
 import carom.net.admission.AddressGroup;
+import carom.net.transport.HandshakeLine;
+import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.net.transport.NetworkCounter;
 import carom.net.transport.ServerTransport;
@@ -84,6 +86,7 @@ public final class PlayPort implements ServerTransport {
   private final AtomicLong bytesIn = new AtomicLong();
   private final AtomicLong bytesOut = new AtomicLong();
   private final SurvivedErrors errors = new SurvivedErrors();
+  private volatile HandshakeLine network;
   private volatile Runnable wake = () -> {};
   private volatile int most;
   private volatile int mostPerAddress;
@@ -233,6 +236,10 @@ public final class PlayPort implements ServerTransport {
   private void connected(WebSocketHttpExchange exchange, WebSocketChannel channel) {
     Comer comer = exchange.getAttachment(COMER);
     WebLink link = new WebLink(channel, comer.remote, comer.isPlainText, errors::add);
+    HandshakeLine simulated = network;
+    if (simulated != null) {
+      link.simulate(simulated);
+    }
     links.add(link);
     openedCount.incrementAndGet();
     channel.addCloseTask(closed -> ended(link));
@@ -251,6 +258,11 @@ public final class PlayPort implements ServerTransport {
 
   private static long bytesTo(WebLink link) {
     return link.counters().messageBytesOut.get() + link.counters().datagramBytesOut.get();
+  }
+
+  /** Makes the network bad on purpose, for links from now on: latency and jitter. */
+  public void simulate(Impairment impairment) {
+    network = new HandshakeLine(impairment);
   }
 
   @Override
@@ -323,6 +335,10 @@ public final class PlayPort implements ServerTransport {
 
   @Override
   public void close() {
+    HandshakeLine simulated = network;
+    if (simulated != null) {
+      simulated.close();
+    }
     http.close();
     links.forEach(WebLink::end);
   }

@@ -233,7 +233,7 @@ final class WebLink extends ThinLink {
   }
 
   @Override
-  protected boolean tell(ThinServerMessage message) {
+  protected boolean write(ThinServerMessage message) {
     if (!channel.isOpen()) {
       return false;
     }
@@ -313,7 +313,7 @@ final class WebLink extends ThinLink {
   }
 
   @Override
-  public int show(ThinSnapshot snapshot) {
+  protected int draw(ThinSnapshot snapshot) {
     synchronized (lock) {
       if (hungUp || !channel.isOpen()) {
         return 0;

@@ -66,7 +66,7 @@ final class ThinFormsTest {
     }
 
     @Override
-    protected boolean tell(ThinServerMessage message) {
+    protected boolean write(ThinServerMessage message) {
       byte[] text = JsonWriter.write(message);
       WebPlayer.parsed(new String(text, StandardCharsets.UTF_8));
       newsBytes += text.length;
@@ -79,7 +79,7 @@ final class ThinFormsTest {
     }
 
     @Override
-    public int show(ThinSnapshot snapshot) {
+    protected int draw(ThinSnapshot snapshot) {
       snapshots++;
       told += snapshot.count;
       bytes.clear();
