@@ -73,6 +73,7 @@ public final class ThinFarm implements Crowd {
             return thread;
           });
   private long nextJoinNs;
+  private boolean rests;
 
   /**
    * Creates bots that join from the first {@link #update} on.
@@ -135,7 +136,7 @@ public final class ThinFarm implements Crowd {
     p.nextAttemptNs = nowNs + p.attempts * SECOND / 2;
   }
 
-  private static void play(Player p, long nowNs) {
+  private void play(Player p, long nowNs) {
     String ended = p.picture.ended();
     if (ended != null) {
       p.door.close();
@@ -158,6 +159,10 @@ public final class ThinFarm implements Crowd {
     p.inputs += due;
     p.lateInputs += due - 1;
     p.count++;
+    if (rests) {
+      p.door.input(p.count, p.picture.wholeTick(), 0, 0, 0, p.aim);
+      return;
+    }
     if (nowNs - p.changesNs >= 0) {
       choose(p, nowNs);
       p.picture.press(p.count, nowNs);
@@ -171,6 +176,11 @@ public final class ThinFarm implements Crowd {
     p.moveX = (float) Math.cos(p.aim);
     p.moveY = (float) Math.sin(p.aim);
     p.buttons = p.random.nextInt(BUTTONS);
+  }
+
+  /** Lets the bots stand still, or walk again. */
+  public void rest(boolean stands) {
+    rests = stands;
   }
 
   /** Returns what the bots show. */

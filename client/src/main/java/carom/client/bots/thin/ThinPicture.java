@@ -45,6 +45,13 @@ public final class ThinPicture {
    */
   public record Body(float x, float y, float angle, int archetype, int owner) {}
 
+  /**
+   * What is shown of a tick.
+   *
+   * @param bodies by their ids; owned by the caller
+   */
+  public record Shown(int tick, Map<Integer, Body> bodies) {}
+
   /** Creates an empty picture. */
   public ThinPicture() {}
 
@@ -150,29 +157,14 @@ public final class ThinPicture {
     }
   }
 
-  /** Returns the bodies, by their ids. */
-  public synchronized Map<Integer, Body> bodies() {
-    return new TreeMap<>(bodies);
-  }
-
-  /** Returns the pose of a body in the newest snapshot, or null. */
-  public synchronized Body own() {
-    for (Body body : bodies.values()) {
-      if (body.owner() == player && player >= 0) {
-        return body;
-      }
-    }
-    return null;
+  /** Returns the newest snapshot with all bodies, or null if a part of it is missing. */
+  public synchronized Shown shown() {
+    return whole == tick && tick >= 0 ? new Shown(tick, new TreeMap<>(bodies)) : null;
   }
 
   /** Returns the own player's id, or -1 before a match. */
   public synchronized int player() {
     return player;
-  }
-
-  /** Returns the tick of the newest snapshot, or -1. */
-  public synchronized int tick() {
-    return tick;
   }
 
   /** Returns the tick of the newest snapshot of which all parts are here, or -1. */
