@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 final class EngineExamplesTest {
   private static final List<String> PAGES =
-      List.of("PHYSICS.md", "SHAPES.md", "JOINTS.md", "EVENTS.md", "MOVER.md");
+      List.of("ALONE.md", "PHYSICS.md", "SHAPES.md", "JOINTS.md", "EVENTS.md", "MOVER.md");
 
   private static final Pattern EXAMPLE = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
 

@@ -11,6 +11,7 @@ import carom.sim.field.Field;
 import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 
@@ -78,6 +79,16 @@ public final class ArchetypeDef {
     areaPower = d.areaPower;
     starts.addAll(d.starts);
     levelFields.addAll(d.levelFields);
+  }
+
+  /** Returns the shapes, unmodifiable. */
+  public List<Shape> shapes() {
+    return Collections.unmodifiableList(shapes);
+  }
+
+  /** Returns how it looks. */
+  public Appearance appearance() {
+    return appearance;
   }
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
