@@ -6,8 +6,8 @@ import java.util.TreeMap;
 import org.HdrHistogram.Histogram;
 
 /**
- * What a thin client has been told: bodies with their newest poses, and figures about how they
- * came. The door's thread writes, any thread reads.
+ * Bodies as a thin client has been told of them, with their newest poses, and figures about how
+ * they came. The door's thread writes, any thread reads.
  */
 public final class ThinPicture {
   private static final long MOST_MICROS = 60_000_000L;
@@ -46,7 +46,7 @@ public final class ThinPicture {
   public record Body(float x, float y, float angle, int archetype, int owner) {}
 
   /**
-   * What is shown of a tick.
+   * A picture of one tick.
    *
    * @param bodies by their ids; owned by the caller
    */
