@@ -91,7 +91,7 @@ final class GameWarmup {
       for (int i = 0; i < extras.length; i++) {
         extras[i] = new Extra(network.client().connect("", 0, 0), i, level, schema);
       }
-      SlotMirror mirror = followed == null ? null : follow(server.rooms().get(0), followed);
+      Practice practice = followed == null ? null : follow(server.rooms().get(0), followed);
       for (int i = 0;
           i < MIN_TICKS || (i < mostTicks && System.nanoTime() - beginNs < mostNs);
           i++) {
@@ -108,32 +108,36 @@ final class GameWarmup {
         virtualNs += config.tickNs() + 1;
         server.tick(virtualNs);
       }
-      if (mirror != null) {
-        takeOver(server, mirror);
+      if (practice != null) {
+        takeOver(server, practice);
       }
     }
   }
 
-  private static SlotMirror follow(Room room, Path folder) {
+  /** What follows a room for practice. */
+  private record Practice(SlotDisk disk, SlotMirror mirror) {}
+
+  private static Practice follow(Room room, Path folder) {
     try {
       SlotMirror mirror = new SlotMirror(folder, 1);
-      SlotLink link = new MirrorLink(mirror);
-      room.followedBy(SlotDisk.ofFollowers(room.tickRateHz()), link, 1, false);
-      return mirror;
+      SlotDisk disk = SlotDisk.ofFollowers(room.tickRateHz());
+      room.followedBy(disk, new MirrorLink(mirror), 1, false);
+      return new Practice(disk, mirror);
     } catch (IOException e) {
       LOG.debug("no room is followed for practice: {}", e.toString());
       return null; // the first real one says why
     }
   }
 
-  private static void takeOver(Server server, SlotMirror mirror) {
+  private static void takeOver(Server server, Practice practice) {
     Room room = server.rooms().get(0);
     try {
       for (int i = 0; i < TAKEOVERS; i++) {
         server.forget(room);
-        room = server.takeOver(room.settings(), mirror.path());
+        practice.disk.close(); // all is there, and nothing comes once the folder is gone
+        room = server.takeOver(room.settings(), practice.mirror.path());
       }
-      mirror.delete();
+      practice.mirror.delete();
     } catch (IOException | IllegalArgumentException e) {
       LOG.debug("no room is taken over for practice: {}", e.toString());
     }

@@ -35,6 +35,25 @@ final class BadFilesTest {
   /** Matches a path with nothing said of it. */
   private static final Pattern LONELY_PATH = Pattern.compile("(?m)^([\\w-]+: )*\\S*/\\S*$");
 
+  private static final String FLEET =
+      "--fleet=etcd:https://127.0.0.1:1 --advertise=localhost --fleet-port=0 --fleet-key=k ";
+
+  /** The flags that name a file, each at the end and behind those that it needs. */
+  private static final List<String> FLAGS =
+      List.of(
+          "--config=",
+          "--data=",
+          "--level=",
+          "--record=",
+          "--join-key=",
+          "--password-file=",
+          "--play-port=0 --tls-key=k --tls-cert=",
+          "--play-port=0 --tls-cert=c --tls-key=",
+          FLEET.replace("--fleet-key=k ", "--fleet-key="),
+          FLEET + "--directory-ca=",
+          FLEET + "--directory-key=k --directory-cert=",
+          FLEET + "--directory-cert=c --directory-key=");
+
   private enum Kind {
     JUNK,
     LATIN,
@@ -54,8 +73,8 @@ final class BadFilesTest {
   private static List<BadFile> all() {
     List<BadFile> all = new ArrayList<>();
     for (Kind kind : Kind.values()) {
-      for (String flag : List.of("config", "data", "level", "record", "join-key")) {
-        all.add(new BadFile("carom-server", "--" + flag + "=", "x/file.json", kind));
+      for (String flag : FLAGS) {
+        all.add(new BadFile("carom-server", flag, "x/file.json", kind));
       }
       all.add(new BadFile("carom", "replay ", "x/file.carom", kind));
       all.add(new BadFile("carom-client", "--headless --replay ", "x/file.carom", kind));
@@ -105,6 +124,10 @@ final class BadFilesTest {
     }
   }
 
+  private static String[] flags(String flag, Path file) {
+    return ("--no-query " + flag + file).split(" ");
+  }
+
   private static String said(BadFile bad, Path base) throws Exception {
     Path file = base.resolve(bad.file);
     make(file, bad.kind);
@@ -116,7 +139,7 @@ final class BadFilesTest {
             bad.flag == null
                 ? programs.server(
                     Map.of(), data, "--no-query", "--rcon", "--rcon-port=0", "--checkpoint=5s")
-                : programs.server(Map.of(), data, "--no-query", bad.flag + file);
+                : programs.server(Map.of(), data, flags(bad.flag, file));
         if (running.port() > 0) {
           running.type("stop");
         }

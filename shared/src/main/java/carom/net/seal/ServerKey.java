@@ -49,7 +49,10 @@ public final class ServerKey {
       throw e;
     } catch (IOException e) {
       throw new IOException(
-          file + " can't be read: " + e.getMessage() + "; give it to the user that runs the server",
+          file
+              + " can't be read: "
+              + e.getMessage()
+              + "; restore it from a backup, or give it to the user that runs the server",
           e);
     }
     try {
