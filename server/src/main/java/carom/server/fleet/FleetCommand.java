@@ -27,7 +27,8 @@ import picocli.CommandLine.Spec;
     usageHelpAutoWidth = true,
     mixinStandardHelpOptions = true,
     description = {
-      "Shows a fleet and moves its rooms: status | rooms | move ROOM [SERVER] | drain SERVER.",
+      "Shows a fleet and moves its rooms: status | rooms | move ROOM [SERVER] | drain SERVER"
+          + " | undrain SERVER.",
       ""
     },
     footer = {"", "Exit codes: 0 done, 1 not done or no answer, 2 bad flag."})
@@ -41,7 +42,8 @@ public final class FleetCommand implements Callable<Integer> {
       paramLabel = "WORD",
       description = {
         "status: the servers (default); rooms: the rooms, their owners and followers;",
-        "move ROOM [SERVER]: moves a running room; drain SERVER: moves all rooms of a server away."
+        "move ROOM [SERVER]: moves a running room; drain SERVER: moves all rooms of a server away;",
+        "undrain SERVER: lets it take rooms and players again."
       })
   private List<String> words = List.of();
 
@@ -55,7 +57,7 @@ public final class FleetCommand implements Callable<Integer> {
   @Option(
       names = "--fleet-key",
       paramLabel = "FILE",
-      description = "The fleet's key; move and drain need it.")
+      description = "The fleet's key; move, drain and undrain need it.")
   private Path keyFile;
 
   @Option(names = "--directory-ca", paramLabel = "FILE", description = "As the servers have it.")
@@ -72,19 +74,14 @@ public final class FleetCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    String verb = words.isEmpty() ? "status" : words.get(0);
-    int most =
-        switch (verb) {
-          case "status", "rooms" -> 1;
-          case "move" -> 3;
-          case "drain" -> 2;
-          default ->
-              throw bad(
-                  "\"" + verb + "\" is none of status, rooms, move ROOM [SERVER], drain SERVER");
-        };
-    int least = verb.equals("move") || verb.equals("drain") ? 2 : 0;
-    if (words.size() > most || words.size() < least) {
-      throw bad("use it like this: carom fleet " + usage(verb));
+    FleetVerb verb;
+    try {
+      verb = FleetVerb.of(words);
+    } catch (IllegalArgumentException e) {
+      throw bad(e.getMessage());
+    }
+    if (verb.needsName() && words.size() < 2) {
+      throw bad("use it like this: carom fleet " + verb.usage());
     }
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
@@ -92,10 +89,10 @@ public final class FleetCommand implements Callable<Integer> {
       FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(directory);
       out.println(
           switch (verb) {
-            case "status" -> snapshot.status();
-            case "rooms" -> snapshot.roomList();
-            case "move" -> tell(snapshot.owner(words.get(1)), String.join(" ", words));
-            default -> tell(snapshot.server(words.get(1)), "drain");
+            case STATUS -> snapshot.status();
+            case ROOMS -> snapshot.roomList();
+            case MOVE -> tell(snapshot.owner(words.get(1)), String.join(" ", words));
+            case DRAIN, UNDRAIN -> tell(snapshot.server(words.get(1)), verb.word());
           });
       return 0;
     } catch (IOException e) {
@@ -107,14 +104,6 @@ public final class FleetCommand implements Callable<Integer> {
       out.flush();
       err.flush();
     }
-  }
-
-  private static String usage(String verb) {
-    return switch (verb) {
-      case "move" -> "move ROOM [SERVER]";
-      case "drain" -> "drain SERVER";
-      default -> verb;
-    };
   }
 
   private BadFlag bad(String message) {

@@ -5,6 +5,7 @@ import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
 import carom.server.command.CommandWords;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Adds the operator's command {@code fleet} to a server of a fleet. */
@@ -19,8 +20,9 @@ public final class FleetConsole {
     commands.add(
         new Command(
             "fleet",
-            "[status | rooms | move ROOM [SERVER] | drain [SERVER]]",
-            "Shows the fleet, moves a room, or moves all rooms of a server (this one) away.",
+            "[status | rooms | move ROOM [SERVER] | drain [SERVER] | undrain [SERVER]]",
+            "Shows the fleet, moves a room, or moves all rooms of a server (this one) away; undrain"
+                + " lets it take rooms again.",
             words -> run(member, words),
             place -> words(member, place)));
   }
@@ -38,7 +40,7 @@ public final class FleetConsole {
     FleetFigures.Report report = member.figures().report();
     List<String> names = new ArrayList<>();
     if (place == 0) {
-      return List.of("status", "rooms", "move", "drain");
+      return Arrays.stream(FleetVerb.values()).map(FleetVerb::word).toList();
     }
     if (place == ROOM) {
       report.rooms().forEach(room -> names.add(room.name()));

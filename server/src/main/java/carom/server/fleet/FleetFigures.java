@@ -54,7 +54,7 @@ public final class FleetFigures {
    * @param address where players reach it
    * @param isSelf whether it is this one
    * @param draining whether it takes no rooms and players
-   * @param load the largest part of their time that its rooms' ticks take, percent
+   * @param load the part of its processors that its rooms' ticks take, percent
    * @param rooms that it owns
    * @param follows rooms of others that it follows
    * @param players in its rooms

@@ -49,6 +49,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Loads are told in steps of so many percent, so that entries rest while rooms do. */
   private static final int LOAD_STEP = 10;
 
+  /** Steps in which this server's load is told, percent. */
+  private static final int SHARE_STEP = 5;
+
   private final CountedDirectory directory;
   private final FleetSettings settings;
   private final FleetNews news;
@@ -83,6 +86,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private Takeovers takeovers;
   private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
+  private final Balance balance = new Balance();
   private long renewNs;
   private long serverNumber;
   private String serverTold = "";
@@ -294,6 +298,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         tellServer(nowNs);
         Map<String, Room> rooms = new HashMap<>();
         host.rooms().forEach(room -> rooms.put(room.name(), room));
+        if (!draining) {
+          balance(host.rooms(), nowNs);
+        }
         followers.turn(rooms, draining, nowNs);
         takeovers.turn(nowNs, draining);
         tellRooms(rooms, nowNs);
@@ -385,7 +392,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
             settings.name(),
             settings.address(),
             peerAddress,
-            load(host == null ? List.of() : host.rooms()),
+            host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
             draining);
     String value = record.toJson();
     if (serverNumber == 0) {
@@ -397,12 +404,47 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     }
   }
 
-  private static int load(List<Room> rooms) {
-    int load = 0;
+  /** Returns the part of this server's processors that the ticks of rooms take, percent. */
+  private double share(List<Room> rooms) {
+    double share = 0;
     for (Room room : rooms) {
-      load = Math.max(load, (int) room.counters().get(Counter.LOAD_PERCENT));
+      share += load(room) / (double) settings.processors();
     }
-    return load / LOAD_STEP * LOAD_STEP;
+    return share;
+  }
+
+  private static int load(Room room) {
+    return (int) room.counters().get(Counter.LOAD_PERCENT);
+  }
+
+  private static int stepped(double load, int step) {
+    return (int) load / step * step;
+  }
+
+  /** Gives a room to a server that has less to do, if this one has much to do. */
+  private void balance(List<Room> rooms, long nowNs) {
+    Map<String, Double> loads = new HashMap<>();
+    for (Room room : rooms) {
+      Claims.Claim claim = claims.of(room.name());
+      if (claim != null && claim.movesTo != 0) {
+        return; // one at a time
+      }
+      loads.put(room.name(), share(List.of(room)));
+    }
+    List<ServerRecord> others = new ArrayList<>();
+    for (ServerRecord server : view.servers().values()) {
+      if (takesRooms(server) && peers.isReached(server.lease())) {
+        others.add(server);
+      }
+    }
+    Balance.Move move = balance.next(loads, others, nowNs);
+    Claims.Claim claim = move == null ? null : claims.of(move.room());
+    if (claim != null) {
+      LOG.info(
+          "room={} moves to {}: load={} % here, {} % there",
+          move.room(), move.to().name(), stepped(share(rooms), 1), move.to().load());
+      claim.movesTo = move.to().lease();
+    }
   }
 
   /** Tells the directory what has changed in the rooms, and releases those that are gone. */
@@ -427,7 +469,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
               lease.number(),
               room.isFollowed() ? claim.follower : 0,
               false,
-              load(List.of(room)),
+              stepped(load(room), LOAD_STEP),
               room.isFollowed()
                   ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
                   : 0,
@@ -496,51 +538,51 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /**
-   * Does what an operator says: {@code status}, {@code rooms}, {@code move ROOM [SERVER]}, {@code
-   * drain [SERVER]}. What concerns another server is told to that one, which may take seconds. Any
-   * thread.
+   * Does what an operator says, see {@link FleetVerb}; without a name, a server is this one. What
+   * concerns another server is told to that one, which may take seconds. Any thread.
    *
    * @return the answer, perhaps of several lines
    * @throws IllegalArgumentException if it can't be done; the message says why
    */
   public String run(List<String> words) {
-    String verb = words.isEmpty() ? "" : words.get(0);
-    if (words.size() < 2 || !(verb.equals("move") || verb.equals("drain"))) {
+    FleetVerb verb = FleetVerb.of(words);
+    if (words.size() < 2) {
       return runHere(words);
     }
     try {
       FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(view);
-      boolean drains = verb.equals("drain");
-      ServerRecord server = drains ? snapshot.server(words.get(1)) : snapshot.owner(words.get(1));
+      boolean moves = verb == FleetVerb.MOVE;
+      ServerRecord server = moves ? snapshot.owner(words.get(1)) : snapshot.server(words.get(1));
       if (server.lease() == lease.number()) {
         return runHere(words);
       }
-      return server.name() + ": " + peers.command(server, drains ? verb : String.join(" ", words));
+      String line = moves ? String.join(" ", words) : verb.word();
+      return server.name() + ": " + peers.command(server, line);
     } catch (IOException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
   }
 
   private String runHere(List<String> words) {
-    String verb = words.isEmpty() ? "status" : words.get(0);
     FleetCommands.Snapshot snapshot = new FleetCommands.Snapshot(view);
-    switch (verb) {
-      case "status":
-        return snapshot.status();
-      case "rooms":
-        return snapshot.roomList();
-      case "move":
+    return switch (FleetVerb.of(words)) {
+      case STATUS -> snapshot.status();
+      case ROOMS -> snapshot.roomList();
+      case MOVE -> {
         if (words.size() < 2) {
-          throw new IllegalArgumentException("name the room: move ROOM [SERVER]");
+          throw new IllegalArgumentException("name the room: " + FleetVerb.MOVE.usage());
         }
-        return move(words.get(1), words.size() > 2 ? words.get(2) : "");
-      case "drain":
+        yield move(words.get(1), words.size() > 2 ? words.get(2) : "");
+      }
+      case DRAIN -> {
         drain();
-        return "drains: its rooms move to the other servers";
-      default:
-        throw new IllegalArgumentException(
-            "\"" + verb + "\" is none of status, rooms, move ROOM [SERVER], drain [SERVER]");
-    }
+        yield "drains: its rooms move to the other servers";
+      }
+      case UNDRAIN -> {
+        undrain();
+        yield "takes rooms and players again";
+      }
+    };
   }
 
   private String move(String room, String server) {
@@ -556,6 +598,14 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Takes no more rooms and players, and begins to move all rooms away. */
   public void drain() {
     draining = true;
+    serverNextNs = clock.getAsLong();
+    changed.run();
+  }
+
+  /** Takes rooms and players again, and keeps the rooms that haven't gone. */
+  private void undrain() {
+    draining = false;
+    claims.all().forEach(claim -> claim.movesTo = 0);
     serverNextNs = clock.getAsLong();
     changed.run();
   }

@@ -97,6 +97,7 @@ public final class FleetService implements AutoCloseable {
             ServerKey.fingerprint(key.publicKey()),
             config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
             (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),
+            Runtime.getRuntime().availableProcessors(),
             config.get(ServerConfig.DURABILITY),
             data.followed());
     Directory directory =

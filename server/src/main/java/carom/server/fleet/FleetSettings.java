@@ -11,6 +11,7 @@ import java.nio.file.Path;
  * @param fingerprint of the fleet's key
  * @param keepsRooms whether rooms go on while the directory is away
  * @param maxLoadPercent load above which a room takes no newcomers, 0 for none
+ * @param processors how many processors this server has
  * @param durability what outlives this server
  * @param followed folder for the journals of rooms that this server follows
  */
@@ -20,6 +21,7 @@ public record FleetSettings(
     String fingerprint,
     boolean keepsRooms,
     int maxLoadPercent,
+    int processors,
     Durability durability,
     Path followed) {
 

@@ -10,7 +10,7 @@ import java.io.IOException;
  * @param name name of the server, for people
  * @param address host and TCP port for players, as {@code ServerAddress} reads it
  * @param peer host and port for the other servers of the fleet
- * @param load the largest part of their time that its rooms' ticks take, percent
+ * @param load the part of its processors that its rooms' ticks take, percent
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
 record ServerRecord(

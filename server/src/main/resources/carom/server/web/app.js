@@ -357,11 +357,14 @@ function showFleet(message) {
   const servers = message.servers.sort(byName);
   fill('fleet-servers', servers, ['', '', 'num', 'num', 'wide num', 'num'],
     s => [s.name + (s.self ? ' (this one)' : ''), s.draining ? 'draining' : 'up', s.load + ' %', s.rooms, s.follows, s.players],
-    (place, s) => button(place, 'Drain', () => drain(s.name), 'danger'))
+    (place, s) => {
+      button(place, 'Drain', () => drain(s.name), 'danger');
+      button(place, 'Undrain', () => run(`fleet undrain "${s.name}"`));
+    })
     .forEach((row, i) => {
       row.cells[0].title = 'Players reach it at ' + servers[i].address;
       row.cells[1].classList.toggle('bad', servers[i].draining);
-      for (const made of row.querySelectorAll('button')) made.disabled = servers[i].draining;
+      for (const made of row.querySelectorAll('button')) made.hidden = servers[i].draining !== (made.textContent === 'Undrain');
     });
   const rooms = message.rooms.sort(byName);
   const lag = r => !r.follower ? '–' : r.exact ? r.lag : r.lag ? `≥ ${r.lag}` : `< ${message.step}`;
@@ -393,7 +396,7 @@ function move(room) {
 
 /** Asks before a server loses all its rooms. */
 function drain(server) {
-  $('sure-text').textContent = 'All its rooms move to other servers, with their players. It takes no more until it is started again.';
+  $('sure-text').textContent = 'All its rooms move to other servers, with their players. It takes no more until you undrain it.';
   ask(`Drain ${server}?`, 'Drain', ['text'], () => run(`fleet drain "${server}"`));
 }
 

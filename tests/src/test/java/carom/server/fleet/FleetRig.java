@@ -131,7 +131,14 @@ public final class FleetRig implements AutoCloseable {
       this.name = name;
       FleetSettings settings =
           new FleetSettings(
-              name, name, "fleet", false, 0, durability, folder.resolve(name).resolve("followed"));
+              name,
+              name,
+              "fleet",
+              false,
+              0,
+              2,
+              durability,
+              folder.resolve(name).resolve("followed"));
       member = new FleetMember(door, settings, this::now, Runnable::run, Runnable::run, () -> {});
       member.reachesBy(peers, name + ":1");
       member.join();

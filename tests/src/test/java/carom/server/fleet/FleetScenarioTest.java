@@ -1,8 +1,10 @@
 package carom.server.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.GameClient;
@@ -205,6 +207,25 @@ class FleetScenarioTest {
       requireAllPlay(rig);
       assertEquals(seats, seats(rig));
       assertTrue(leaving.server.rooms().isEmpty());
+    }
+  }
+
+  @Test
+  void aServerThatWasDrainedTakesRoomsAgain() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      FleetRig.Node node = rig.nodes.get("a");
+      node.member.run(List.of("drain"));
+      rig.run(1);
+      assertTrue(node.server.rooms().isEmpty());
+      node.member.run(List.of("undrain", "a"));
+      rig.run(1);
+      rig.nodes.get("b").member.run(List.of("drain"));
+      rig.nodes.get("c").member.run(List.of("drain"));
+      rig.run(3);
+      assertFalse(node.server.rooms().isEmpty());
+      requireAllPlay(rig);
+      assertThrows(
+          IllegalArgumentException.class, () -> node.member.run(List.of("undrain", "a", "b")));
     }
   }
 

@@ -23,6 +23,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -142,6 +144,12 @@ final class FleetPageTest {
     assertTrue(left > 0 && left <= 1.6, "lease=" + left);
     double lag = metric("carom_fleet_follower_lag_ticks{room=\"1\"}");
     assertTrue(lag >= 0 && lag < 10, "lag=" + lag);
+    String metrics = metrics();
+    String dashboard = Files.readString(Path.of("..", "docs", "grafana.json"));
+    Matcher names = Pattern.compile("\\bcarom_fleet_[a-z_]+\\b").matcher(dashboard);
+    while (names.find()) {
+      assertTrue(metrics.matches("(?s).*\n" + names.group() + "[{ ].*"), names.group());
+    }
     kill("b.example");
     kill("c.example");
     while (metric("carom_fleet_rooms_owned") < 6) {
@@ -206,6 +214,10 @@ final class FleetPageTest {
           "document.getElementById('fleet-news').textContent.includes('server b.example is lost')");
       browser.evaluate("document.getElementById('fleet').scrollIntoView()");
       shoot(browser, "fleet-news.png");
+      String drained = servers + "[1]";
+      browser.await(drained + ".querySelector('.danger').hidden");
+      browser.click(drained + ".querySelector('button:not([hidden])')");
+      browser.await(drained + ".cells[1].textContent === 'up'");
       browser.look(400, 800, true);
       assertEquals("true", browser.evaluate("document.documentElement.scrollWidth <= innerWidth"));
       shoot(browser, "fleet-narrow.png");
