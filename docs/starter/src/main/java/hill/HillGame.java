@@ -46,9 +46,9 @@ public final class HillGame implements Game {
   public void setUp(SetUp s) {
     disc =
         s.archetype(
-                new ArchetypeDef("disc")
-                    .shape(new Circle(0.5f), new Material(1, 0.2f, 0.5f))
-                    .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
+            new ArchetypeDef("disc")
+                .shape(new Circle(0.5f), new Material(1, 0.2f, 0.5f))
+                .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
   }
 
   @Override

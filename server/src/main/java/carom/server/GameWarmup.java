@@ -55,11 +55,18 @@ final class GameWarmup {
   /** Rooms that are taken over: the first takes 80 ms of a processor, the 60th 9. */
   private static final int TAKEOVERS = 60;
 
+  /** Time after which no further one is, so that a slow machine starts, too. */
+  private static final long MAX_TAKEOVERS_NS = 4_000_000_000L;
+
   private static final Logger LOG = LoggerFactory.getLogger(GameWarmup.class);
 
   private long virtualNs;
 
-  private GameWarmup() {}
+  private final Runnable step;
+
+  private GameWarmup(Runnable step) {
+    this.step = step;
+  }
 
   /**
    * Plays until enough ticks or 0.4 s have passed, 3 s in a fleet. Writes log lines, which the
@@ -67,10 +74,16 @@ final class GameWarmup {
    *
    * @param games gives an instance, which is thrown away afterwards
    * @param followed folder for the journal of a room, or null if the server is alone
+   * @param step told whenever it gets on
    */
   static void play(
-      ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec, Path followed) {
-    new GameWarmup()
+      ServerConfig config,
+      Supplier<Game> games,
+      Level level,
+      MessageCodec codec,
+      Path followed,
+      Runnable step) {
+    new GameWarmup(step)
         .run(
             config.with(ServerConfig.ROOMS, 1).with(ServerConfig.STATUS_INTERVAL, 0),
             games,
@@ -100,6 +113,7 @@ final class GameWarmup {
           extra.turn(server.rooms().get(0).tick());
         }
         server.tick(virtualNs);
+        step.run();
       }
       for (Extra extra : extras) {
         extra.link.send(new ClientMessage.Leave());
@@ -114,7 +128,7 @@ final class GameWarmup {
     }
   }
 
-  /** What follows a room for practice. */
+  /** The disk and the mirror by which a room is followed for practice. */
   private record Practice(SlotDisk disk, SlotMirror mirror) {}
 
   private static Practice follow(Room room, Path folder) {
@@ -129,13 +143,15 @@ final class GameWarmup {
     }
   }
 
-  private static void takeOver(Server server, Practice practice) {
+  private void takeOver(Server server, Practice practice) {
     Room room = server.rooms().get(0);
+    long beginNs = System.nanoTime();
     try {
-      for (int i = 0; i < TAKEOVERS; i++) {
+      for (int i = 0; i < TAKEOVERS && System.nanoTime() - beginNs < MAX_TAKEOVERS_NS; i++) {
         server.forget(room);
         practice.disk.close(); // all is there, and nothing comes once the folder is gone
         room = server.takeOver(room.settings(), practice.mirror.path());
+        step.run();
       }
       practice.mirror.delete();
     } catch (IOException | IllegalArgumentException e) {

@@ -67,7 +67,7 @@ final class ServerStart {
   private final AgonesService agones; // or null
   private GameServer pod; // or null if nothing is asked of it
   private final Logger log;
-  private final AtomicInteger roomsBegun = new AtomicInteger();
+  private final AtomicInteger steps = new AtomicInteger();
   private volatile Server server;
   private PlayPort play; // or null
   private PlainDoor plain; // or null
@@ -98,7 +98,12 @@ final class ServerStart {
       Path followed =
           FleetFlags.isFleet(config) ? flags.dataFolder().followed().resolve(".warm-up") : null;
       GameWarmup.play(
-          config, choice::newGame, choice.warmUpLevel(), new KryoMessageCodec(), followed);
+          config,
+          choice::newGame,
+          choice.warmUpLevel(),
+          new KryoMessageCodec(),
+          followed,
+          steps::incrementAndGet);
     } catch (IllegalArgumentException e) {
       throw flags.bad("--level: " + e.getMessage());
     }
@@ -192,7 +197,7 @@ final class ServerStart {
               peer,
               flags.dataFolder(),
               access.shared());
-      return fleet.claim(rooms, numbered);
+      return fleet.claim(rooms, numbered, steps::incrementAndGet);
     } catch (IOException e) {
       transport.close();
       if (fleet != null) {
@@ -311,7 +316,7 @@ final class ServerStart {
 
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
-      MatchLibrary library = MatchLibrary.heard(choice.library(), roomsBegun::incrementAndGet);
+      MatchLibrary library = MatchLibrary.heard(choice.library(), steps::incrementAndGet);
       return new Server(
           config,
           rooms,
@@ -328,7 +333,7 @@ final class ServerStart {
   /** Returns a number that changes whenever the start gets on; any thread. */
   int progress() {
     Server begun = server;
-    return roomsBegun.get() + (begun == null ? 0 : (int) begun.count(Counter.TICKS_REPLAYED));
+    return steps.get() + (begun == null ? 0 : (int) begun.count(Counter.TICKS_REPLAYED));
   }
 
   private void demandPassword() throws StartFailure {

@@ -24,7 +24,8 @@ class GameWarmupTest {
         () -> game,
         TestGame.shortLevel(),
         new KryoMessageCodec(),
-        null);
+        null,
+        () -> {});
     assertEquals(4, game.joins);
     assertEquals(4, game.leaves);
     assertTrue(game.inputs > 20, "inputs=" + game.inputs);
@@ -33,6 +34,7 @@ class GameWarmupTest {
   @Test
   void aServerOfAFleetTakesARoomOverAndLeavesNoFiles(@TempDir Path folder) throws Exception {
     AtomicInteger games = new AtomicInteger();
+    AtomicInteger steps = new AtomicInteger();
     GameWarmup.play(
         ServerConfig.defaults(),
         () -> {
@@ -41,8 +43,10 @@ class GameWarmupTest {
         },
         Level.builtIn("arena"),
         new KryoMessageCodec(),
-        folder);
+        folder,
+        steps::incrementAndGet);
     assertTrue(games.get() > 5, () -> "one of each room taken over, games=" + games);
+    assertTrue(steps.get() > 60, () -> "the watch of a start sees each, steps=" + steps);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(List.of("claim"), files.map(f -> f.getFileName().toString()).toList());
     }

@@ -7,12 +7,15 @@ import java.util.TreeMap;
 /**
  * Chooses rooms that a busy server gives to one that has less to do. A move costs players a moment,
  * so only a server that is half busy gives rooms away, only if the difference is large and lasts,
- * one room at a time, and only one that makes the difference clearly smaller. So a room never goes
- * back and forth. One thread.
+ * one room at a time, and only one that makes the difference clearly smaller. So rooms come to
+ * rest, also where several servers choose the same one at once. One thread.
  */
 final class Balance {
   /** Load below which a server keeps its rooms, percent of its processors. */
   static final int BUSY_PERCENT = 50;
+
+  /** Load of a server that can do no more, percent. */
+  static final int FULL_PERCENT = 100;
 
   /** Least difference of load to another server, percent. */
   static final int LEAST_DIFFERENCE = 20;
@@ -37,12 +40,14 @@ final class Balance {
   /**
    * Returns the room that should move now, or null.
    *
-   * @param rooms of this server, each with its load, percent of this server's processors
+   * @param rooms of this server, each with its load, percent of this server's processors; where a
+   *     server can't keep up, the sum may be above 100, and counts as 100
    * @param others the servers that can take rooms
    * @param nowNs monotonic
    */
   Move next(Map<String, Double> rooms, Collection<ServerRecord> others, long nowNs) {
-    double own = rooms.values().stream().mapToDouble(load -> load).sum();
+    double sum = rooms.values().stream().mapToDouble(load -> load).sum();
+    double own = Math.min(FULL_PERCENT, sum);
     ServerRecord to = null;
     for (ServerRecord other : others) {
       boolean less = to == null || other.load() < to.load();
@@ -61,7 +66,8 @@ final class Balance {
     String best = null;
     double most = LEAST_GAIN;
     for (Map.Entry<String, Double> room : new TreeMap<>(rooms).entrySet()) {
-      double gain = difference - Math.abs(difference - 2 * room.getValue());
+      double load = room.getValue() * (own / sum);
+      double gain = difference - Math.abs(difference - 2 * load);
       if (gain >= most) {
         best = room.getKey();
         most = gain + Math.ulp(gain); // of equals, the first

@@ -220,14 +220,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    *
    * @param wanted the server's own rooms
    * @param numbered whether they are equal, so that their names are numbers
+   * @param step told whenever a room is claimed, or refused
    * @return the settings of the rooms that this server owns now
    * @throws DirectoryException if the directory doesn't answer
    */
-  public List<RoomConfig> claim(List<RoomConfig> wanted, boolean numbered)
+  public List<RoomConfig> claim(List<RoomConfig> wanted, boolean numbered, Runnable step)
       throws DirectoryException {
     List<RoomConfig> owned = new ArrayList<>();
     int number = 0;
     for (RoomConfig room : wanted) {
+      step.run();
       if (!numbered) {
         if (claims.make(room) != null) {
           owned.add(room);
@@ -410,7 +412,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     for (Room room : rooms) {
       share += load(room) / (double) settings.processors();
     }
-    return share;
+    return Math.min(Balance.FULL_PERCENT, share);
   }
 
   private static int load(Room room) {
@@ -429,7 +431,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (claim != null && claim.movesTo != 0) {
         return; // one at a time
       }
-      loads.put(room.name(), share(List.of(room)));
+      loads.put(room.name(), load(room) / (double) settings.processors());
     }
     List<ServerRecord> others = new ArrayList<>();
     for (ServerRecord server : view.servers().values()) {

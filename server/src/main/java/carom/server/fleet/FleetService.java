@@ -141,8 +141,9 @@ public final class FleetService implements AutoCloseable {
    *
    * @throws IOException if the directory doesn't answer
    */
-  public List<RoomConfig> claim(List<RoomConfig> rooms, boolean numbered) throws IOException {
-    return member.claim(rooms, numbered);
+  public List<RoomConfig> claim(List<RoomConfig> rooms, boolean numbered, Runnable step)
+      throws IOException {
+    return member.claim(rooms, numbered, step);
   }
 
   private void ring() {

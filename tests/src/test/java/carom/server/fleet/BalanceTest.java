@@ -14,14 +14,14 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: rooms move from busy servers to idle ones, seldom and never back and forth. Method: the
- * rule alone: single cases, and fleets drawn at random whose servers each follow it, seed printed.
+ * Goal: rooms move from busy servers to idle ones, and soon come to rest. Method: the rule alone:
+ * single cases, and fleets drawn at random whose servers all decide at once, seed printed.
  */
 final class BalanceTest {
   private static final long S = 1_000_000_000L;
 
   private static ServerRecord server(long lease, double load) {
-    int told = (int) load / 5 * 5;
+    int told = (int) Math.min(100, load) / 5 * 5;
     return new ServerRecord(
         lease, "s" + lease, "s" + lease + ":1", "s" + lease + ":2", told, false);
   }
@@ -57,6 +57,9 @@ final class BalanceTest {
     assertEquals(-1, secondOfMove(Map.of("a", 88.0, "b", 2.0), server(2, 0)), "too small a gain");
     assertEquals(-1, secondOfMove(Map.of("a", 30.0, "b", 30.0)), "a fleet of one");
     assertEquals(10, secondOfMove(Map.of("a", 30.0, "b", 30.0), server(2, 0)));
+    Map<String, Double> tooMuch = Map.of("a", 300.0, "b", 200.0, "c", 100.0);
+    assertEquals(10, secondOfMove(tooMuch, server(2, 0)));
+    assertEquals(-1, secondOfMove(tooMuch, server(2, 100)), "the other one can't, either");
   }
 
   @Test
@@ -84,7 +87,7 @@ final class BalanceTest {
     List<Balance> rules = new ArrayList<>();
     for (int i = 0; i < servers; i++) {
       Map<String, Double> rooms = new TreeMap<>();
-      int count = random.nextInt(12);
+      int count = random.nextInt(20);
       for (int k = 0; k < count; k++) {
         rooms.put(i + "-" + k, 30 * random.nextDouble() * random.nextDouble());
       }
@@ -111,7 +114,7 @@ final class BalanceTest {
           double load = owned.get(i).remove(move.room());
           owned.get((int) move.to().lease()).put(move.room(), load);
           int times = moves.merge(move.room(), 1, Integer::sum);
-          assertTrue(times <= 2, () -> about + " room=" + move.room() + " moved " + times);
+          assertTrue(times <= 5, () -> about + " room=" + move.room() + " moved " + times);
           quiet = 0;
         }
       }
@@ -119,9 +122,10 @@ final class BalanceTest {
     for (int i = 0; i < servers; i++) {
       double own = load(owned.get(i));
       for (int k = 0; k < servers; k++) {
-        double difference = own - (int) load(owned.get(k)) / 5 * 5;
+        double difference = Math.min(100, own) - Math.min(100, (int) load(owned.get(k)) / 5 * 5);
         boolean helps =
             owned.get(i).values().stream()
+                .map(r -> r * Math.min(100, own) / own)
                 .anyMatch(r -> difference - Math.abs(difference - 2 * r) >= Balance.LEAST_GAIN);
         assertTrue(
             own < Balance.BUSY_PERCENT || difference < Balance.LEAST_DIFFERENCE || !helps, about);

@@ -151,7 +151,7 @@ public final class FleetRig implements AutoCloseable {
       List<RoomConfig> own =
           rooms == 0
               ? List.of()
-              : member.claim(RoomConfig.equalRooms(config, List.of("arena")), true);
+              : member.claim(RoomConfig.equalRooms(config, List.of("arena")), true, () -> {});
       server =
           new Server(
               config,
