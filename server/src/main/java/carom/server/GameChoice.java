@@ -13,6 +13,7 @@ import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import carom.text.Suggestion;
+import carom.tiled.TiledImport;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -219,7 +220,7 @@ final class GameChoice {
       Path file = path(flag, wanted);
       boolean isBuiltIn = MatchLibrary.builtInLevels().contains(wanted);
       if (isBuiltIn ? Files.isRegularFile(file) : Files.exists(file)) { // no folder of that name
-        return Level.load(file);
+        return TiledImport.load(file);
       }
       if (isBuiltIn) {
         return Level.builtIn(wanted);

@@ -45,16 +45,8 @@ public final class Json {
     }
   }
 
-  private static final JsonFactory FACTORY =
-      JsonFactory.builder()
-          .streamReadConstraints(
-              StreamReadConstraints.builder()
-                  .maxNestingDepth(MAX_DEPTH)
-                  .maxNumberLength(64)
-                  .maxStringLength(4096)
-                  .maxNameLength(256)
-                  .build())
-          .build();
+  private static final int MAX_TEXT = 4096;
+  private static final JsonFactory FACTORY = factory(MAX_TEXT);
 
   public final Kind kind;
 
@@ -104,7 +96,7 @@ public final class Json {
    * @throws JsonException if it is no JSON, beyond a limit, or has characters that can't be shown
    */
   public static Json parse(byte[] bytes) throws JsonException {
-    return parse(bytes, true);
+    return parse(bytes, FACTORY, true);
   }
 
   /**
@@ -114,11 +106,34 @@ public final class Json {
    * @throws JsonException if it is no JSON, or beyond a limit
    */
   public static Json parseMachineMade(byte[] bytes) throws JsonException {
-    return parse(bytes, false);
+    return parse(bytes, FACTORY, false);
   }
 
-  private static Json parse(byte[] bytes, boolean visible) throws JsonException {
-    try (JsonParser p = FACTORY.createParser(bytes)) {
+  /**
+   * Reads a document as {@link #parseMachineMade(byte[])}, with longer texts, such as packed data.
+   *
+   * @param maxText most characters of a text
+   * @throws JsonException if it is no JSON, or beyond a limit
+   */
+  public static Json parseMachineMade(byte[] bytes, int maxText) throws JsonException {
+    return parse(bytes, factory(maxText), false);
+  }
+
+  private static JsonFactory factory(int maxText) {
+    return JsonFactory.builder()
+        .streamReadConstraints(
+            StreamReadConstraints.builder()
+                .maxNestingDepth(MAX_DEPTH)
+                .maxNumberLength(64)
+                .maxStringLength(maxText)
+                .maxNameLength(256)
+                .build())
+        .build();
+  }
+
+  private static Json parse(byte[] bytes, JsonFactory factory, boolean visible)
+      throws JsonException {
+    try (JsonParser p = factory.createParser(bytes)) {
       if (p.nextToken() == null) {
         throw new JsonException(1, 1, "", "the file is empty; it must be a JSON object");
       }

@@ -8,6 +8,7 @@ import carom.options.NetworkConditions.Preset;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.tiled.TiledImport;
 import ch.qos.logback.classic.Logger;
 import java.io.IOException;
 import java.io.InputStream;
@@ -160,7 +161,7 @@ public final class TestCommand implements Callable<Integer> {
     String name = level == null ? played.defaultLevel() : level;
     try {
       if (level != null && Files.isRegularFile(Path.of(level))) {
-        return checked(Level.load(Path.of(level)));
+        return checked(TiledImport.load(Path.of(level)));
       }
       try (InputStream in = loader.getResourceAsStream("levels/" + name + ".json")) {
         return checked(

@@ -40,6 +40,7 @@ final class ArchitectureTest {
   private static final Map<String, PackageMatcher> MATCHERS = new TreeMap<>();
 
   static {
+    allow("carom.tiled", "carom.sim.level", "carom.text");
     allow("carom.physics.math");
     allow("carom.physics.archive");
     allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
@@ -307,7 +308,8 @@ final class ArchitectureTest {
         "carom.replay",
         "carom.sim..",
         "carom.game",
-        "carom.physics..");
+        "carom.physics..",
+        "carom.tiled");
     allow(
         "carom.client..",
         "carom.client..",

@@ -2,7 +2,9 @@ package carom.server.level;
 
 import carom.options.BadFlag;
 import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import carom.text.FileErrors;
+import carom.tiled.TiledImport;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
@@ -37,7 +39,10 @@ final class LevelCheckCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Parameters(arity = "1..*", paramLabel = "FILE", description = "Level files.")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "FILE",
+      description = "Level files, or maps of Tiled (.tmx, .tmj).")
   private List<Path> files;
 
   @Option(names = "--strict", description = "Let warnings count as problems.")
@@ -50,7 +55,7 @@ final class LevelCheckCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     int status = 0;
     for (Path file : files) {
-      LevelCheck check = LevelCheck.of(file.toString(), read(file));
+      LevelCheck check = check(file);
       check.problems().forEach(out::println);
       check.warnings().forEach(warning -> out.println("warning: " + warning));
       boolean good = check.problems().isEmpty();
@@ -71,6 +76,17 @@ final class LevelCheckCommand implements Callable<Integer> {
     return problems == 0
         ? "can be played" + after
         : "can't be played, " + problems + (problems == 1 ? " problem" : " problems") + after;
+  }
+
+  private LevelCheck check(Path file) {
+    if (!TiledImport.isMap(file)) {
+      return LevelCheck.of(file.toString(), read(file));
+    }
+    try {
+      return LevelCheck.of(file + " as a level", TiledImport.load(file).source());
+    } catch (LevelException e) {
+      throw new BadFlag(spec.commandLine(), e.getMessage());
+    }
   }
 
   private byte[] read(Path file) {

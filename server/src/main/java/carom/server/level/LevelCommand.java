@@ -9,8 +9,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "level",
     mixinStandardHelpOptions = true,
-    subcommands = {LevelCheckCommand.class, LevelRenderCommand.class},
-    description = "Checks and draws level files.")
+    subcommands = {LevelCheckCommand.class, LevelRenderCommand.class, LevelConvertCommand.class},
+    description = "Checks and draws level files, and makes them of maps of Tiled.")
 public final class LevelCommand implements Runnable {
   @Spec private CommandSpec spec;
 

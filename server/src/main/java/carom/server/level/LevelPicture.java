@@ -109,7 +109,7 @@ final class LevelPicture {
       int rgb = area.rgb() < 0 ? 0x4da3ff : area.rgb();
       veil(
           rgb,
-          area.range() > 0
+          area.kind() == Area.Kind.ATTRACTOR
               ? circle(area.x(), area.y(), area.range())
               : box(area.minX(), area.minY(), area.maxX(), area.maxY()));
     }

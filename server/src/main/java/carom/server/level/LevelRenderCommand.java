@@ -5,6 +5,7 @@ import carom.options.PictureSize;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.text.FileErrors;
+import carom.tiled.TiledImport;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Spec;
 final class LevelRenderCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
-  @Parameters(paramLabel = "FILE", description = "A level file.")
+  @Parameters(paramLabel = "FILE", description = "A level file, or a map of Tiled (.tmx, .tmj).")
   private Path file;
 
   @Option(names = "--out", paramLabel = "PNG", required = true, description = "The picture.")
@@ -44,7 +45,7 @@ final class LevelRenderCommand implements Callable<Integer> {
   public Integer call() {
     try {
       PictureSize picture = PictureSize.parse(size);
-      Level level = Level.load(file);
+      Level level = TiledImport.load(file);
       new LevelPicture(level, picture).save(out);
       return 0;
     } catch (LevelException | IllegalArgumentException e) {

@@ -7,6 +7,7 @@ import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.text.Suggestion;
+import carom.tiled.TiledImport;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -101,7 +102,7 @@ public interface MatchLibrary {
     try {
       Path file = Path.of(name);
       if (Files.isRegularFile(file)) {
-        return Level.load(file);
+        return TiledImport.load(file);
       }
     } catch (InvalidPathException e) {
       throw new LevelException(name, 0, 0, "", "this can't be the name of a file or level");

@@ -129,7 +129,7 @@ final class LevelJointReader {
     return new LevelJoint(nameNode == null ? "" : text(nameNode), a, b, definition);
   }
 
-  private static List<String> fields(String type) {
+  static List<String> fields(String type) {
     return switch (type) {
       case "revolute" -> REVOLUTE;
       case "distance" -> DISTANCE;
