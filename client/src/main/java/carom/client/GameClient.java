@@ -10,6 +10,7 @@ import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
 import carom.game.GameDigest;
 import carom.game.GameFault;
+import carom.game.GameJars;
 import carom.game.Games;
 import carom.game.GuardedGame;
 import carom.net.field.Declarations;
@@ -178,6 +179,9 @@ public final class GameClient implements AutoCloseable {
     @Override
     public String joined(ServerMessage.Welcome welcome, Level level) {
       Game rules;
+      if (config.get(ClientConfig.DEV)) {
+        GameJars.refresh(); // the server may play a new build
+      }
       try {
         rules = Games.create(welcome.game());
       } catch (IllegalArgumentException e) {

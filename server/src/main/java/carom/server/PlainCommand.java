@@ -1,6 +1,7 @@
 package carom.server;
 
 import carom.game.Games;
+import carom.game.GamesOption;
 import carom.options.BadFlag;
 import carom.server.thin.GameClasses;
 import carom.server.thin.plain.GameSources;
@@ -23,6 +24,7 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -65,6 +67,10 @@ public final class PlainCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description = "Package of the classes (the game's name).")
   private String inPackage;
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   /** Creates a command that picocli has yet to fill in. */
   public PlainCommand() {}

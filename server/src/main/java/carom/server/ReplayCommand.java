@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GamesOption;
 import carom.net.protocol.Protocol;
 import carom.replay.Divergence;
 import carom.replay.RecordingException;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -39,6 +41,10 @@ public final class ReplayCommand implements Callable<Integer> {
   private static final int BAD_FILE = 2;
 
   @Spec private CommandSpec spec;
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   @Parameters(paramLabel = "FILE", description = "What carom-server --record has written.")
   private Path file;

@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GamesOption;
 import carom.game.GuardedGame;
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
@@ -63,6 +64,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
@@ -117,6 +119,10 @@ public final class ServerMain implements Callable<Integer> {
       description = "Shows the version.")
   @SuppressWarnings("unused") // picocli shows the version
   private boolean version;
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   private SettingsLayers layers;
   private ServerFlags flags;
@@ -366,6 +372,9 @@ public final class ServerMain implements Callable<Integer> {
     server.start();
     if (fleet != null) {
       fleet.serve(server);
+    }
+    if (server.config().get(ServerConfig.DEV)) {
+      DevWatch.start(server.rooms(), flags.dataFolder());
     }
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed() && !server.rooms().isEmpty()) {
       Thread.sleep(1); // the first tick of a large level takes as long as many later ones

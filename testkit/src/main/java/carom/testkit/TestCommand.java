@@ -1,8 +1,7 @@
 package carom.testkit;
 
-import carom.client.bots.BotBrain;
-import carom.client.bots.BotBrains;
 import carom.game.Games;
+import carom.game.GamesOption;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions.Preset;
 import carom.sim.Game;
@@ -10,20 +9,14 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.tiled.TiledImport;
 import ch.qos.logback.classic.Logger;
-import java.io.IOException;
-import java.io.InputStream;
-import java.net.URL;
-import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -85,11 +78,9 @@ public final class TestCommand implements Callable<Integer> {
       description = "Seed of networks and bots; equal seeds give equal plays (1).")
   private long seed;
 
-  @Option(
-      names = "--games",
-      paramLabel = "FOLDER",
-      description = "Folder with game jars, besides the installation's games.")
-  private Path folder;
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   @Option(names = "--json", description = "Print one line of JSON.")
   private boolean json;
@@ -98,22 +89,21 @@ public final class TestCommand implements Callable<Integer> {
   public TestCommand() {}
 
   @Override
-  public Integer call() throws IOException {
+  public Integer call() {
     if (players < 1 || players > MOST_PLAYERS) {
       throw bad("--players=" + players + " is outside 1.." + MOST_PLAYERS);
     }
     if (!(seconds >= 1 && seconds <= 3_600)) {
       throw bad("--seconds=" + seconds + " is outside 1..3600");
     }
-    ClassLoader loader = loader();
-    Supplier<Game> games = games();
-    Level played = level(games.get(), loader);
+    Supplier<Game> made = made();
+    Level played = level(made.get());
     Logger log = (Logger) LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME);
     ch.qos.logback.classic.Level before = log.getLevel();
     log.setLevel(ch.qos.logback.classic.Level.OFF); // the report has all of it, once
     GameReport report;
     try {
-      report = GameTest.run(games, played, networks, players, seconds, seed);
+      report = GameTest.run(made, played, networks, players, seconds, seed);
     } finally {
       log.setLevel(before);
     }
@@ -122,34 +112,7 @@ public final class TestCommand implements Callable<Integer> {
     return report.broken().isEmpty() ? 0 : BROKEN;
   }
 
-  /** Returns the loader of the games; adds those of the folder. */
-  private ClassLoader loader() throws IOException {
-    ClassLoader ours = Games.class.getClassLoader();
-    if (folder == null) {
-      return ours;
-    }
-    if (!Files.isDirectory(folder)) {
-      throw bad("--games=" + folder + " is no folder");
-    }
-    List<URL> jars = new ArrayList<>();
-    try (Stream<Path> files = Files.list(folder)) {
-      for (Path file : files.filter(f -> f.toString().endsWith(".jar")).sorted().toList()) {
-        jars.add(file.toUri().toURL());
-      }
-    }
-    // Not closed: games load classes until the program ends.
-    ClassLoader loader =
-        new URLClassLoader(jars.toArray(new URL[0]), TestCommand.class.getClassLoader());
-    ServiceLoader.load(Game.class, loader).stream()
-        .filter(provider -> provider.type().getClassLoader() == loader)
-        .forEach(Games::add);
-    ServiceLoader.load(BotBrain.class, loader).stream()
-        .filter(provider -> provider.type().getClassLoader() == loader)
-        .forEach(BotBrains::add);
-    return loader;
-  }
-
-  private Supplier<Game> games() {
+  private Supplier<Game> made() {
     try {
       return Games.supplier(game);
     } catch (IllegalArgumentException e) {
@@ -157,18 +120,12 @@ public final class TestCommand implements Callable<Integer> {
     }
   }
 
-  private Level level(Game played, ClassLoader loader) throws IOException {
-    String name = level == null ? played.defaultLevel() : level;
+  private Level level(Game played) {
     try {
-      if (level != null && Files.isRegularFile(Path.of(level))) {
-        return checked(TiledImport.load(Path.of(level)));
-      }
-      try (InputStream in = loader.getResourceAsStream("levels/" + name + ".json")) {
-        return checked(
-            in == null
-                ? Level.builtIn(name)
-                : Level.parse(name + ".json", in.readNBytes(Level.MAX_BYTES + 1)));
-      }
+      return checked(
+          level != null && Files.isRegularFile(Path.of(level))
+              ? TiledImport.load(Path.of(level))
+              : Level.builtIn(level == null ? played.defaultLevel() : level));
     } catch (LevelException e) {
       throw bad(e.getMessage());
     }

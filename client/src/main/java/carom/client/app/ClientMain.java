@@ -11,6 +11,7 @@ import carom.client.replay.SpectatorThread;
 import carom.client.settings.SettingsFile;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
+import carom.game.GamesOption;
 import carom.net.frame.Trust;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
@@ -28,6 +29,7 @@ import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 
 /** The program {@code carom-client}: plays on a server, in a window or without one. */
 @Command(
@@ -122,6 +124,10 @@ public final class ClientMain implements Callable<Integer> {
     String problem = PlayerName.problem(name);
     return problem == null ? null : ": " + problem;
   }
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   private ClientConfig flags;
   private NetworkOptions network;

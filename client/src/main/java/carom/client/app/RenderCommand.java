@@ -1,6 +1,7 @@
 package carom.client.app;
 
 import carom.client.replay.ReplayClient;
+import carom.game.GamesOption;
 import carom.options.BadFlag;
 import carom.options.PictureSize;
 import java.io.IOException;
@@ -11,6 +12,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -27,6 +29,10 @@ import picocli.CommandLine.Parameters;
     })
 final class RenderCommand implements Callable<Integer> {
   private static final int MAX_STEPS = 4;
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   @Parameters(paramLabel = "FILE", description = "What carom-server --record has written.")
   private Path file;

@@ -1,5 +1,6 @@
 package carom.client.bots;
 
+import carom.game.GameJars;
 import java.util.Iterator;
 import java.util.Map;
 import java.util.Optional;
@@ -58,7 +59,7 @@ public final class BotBrains {
 
   private static Optional<Supplier<BotBrain>> find(String game) {
     Iterator<ServiceLoader.Provider<BotBrain>> all =
-        ServiceLoader.load(BotBrain.class, BotBrains.class.getClassLoader()).stream().iterator();
+        ServiceLoader.load(BotBrain.class, GameJars.loader()).stream().iterator();
     for (int errors = 0; errors <= MAX_ERRORS; ) {
       try {
         if (!all.hasNext()) {

@@ -9,6 +9,7 @@ import carom.client.bots.thin.PlainDoor;
 import carom.client.bots.thin.ThinDoor;
 import carom.client.bots.thin.WebDoor;
 import carom.client.link.ServerAddress;
+import carom.game.GamesOption;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
 import carom.net.transport.ClientTransport;
@@ -24,6 +25,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 
 /**
  * The program {@code carom-bots}: connects headless clients that play. Progress goes to standard
@@ -115,6 +117,10 @@ public final class BotsMain implements Callable<Integer> {
           .text(
               "Seconds each plays on average until it leaves and joins again; 0 = all stay"
                   + " ({default}).");
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   private ClientConfig flags;
   private NetworkOptions network;

@@ -331,8 +331,8 @@ public final class ServerConfig extends Settings<ServerConfig> {
   public static final Setting<Boolean> DEV =
       ROWS.toggle("dev", false)
           .text(
-              "For developers of games: let in players whose build of the game differs, with a"
-                  + " warning instead of a refusal.");
+              "For developers of games: play level files, and games of --games, anew when they"
+                  + " change, and let in players whose build of the game differs, with a warning.");
 
   public static final Setting<Boolean> ALLOW_LIST =
       ROWS.toggle("allow-list", false)

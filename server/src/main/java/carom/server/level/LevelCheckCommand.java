@@ -1,5 +1,6 @@
 package carom.server.level;
 
+import carom.game.GamesOption;
 import carom.options.BadFlag;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -13,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -44,6 +46,10 @@ final class LevelCheckCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description = "Level files, or maps of Tiled (.tmx, .tmj).")
   private List<Path> files;
+
+  @Mixin
+  @SuppressWarnings("unused") // picocli gives it the flag
+  private GamesOption games;
 
   @Option(names = "--strict", description = "Let warnings count as problems.")
   private boolean strict;

@@ -55,7 +55,7 @@ public interface MatchLibrary {
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
             Stream.of("commons", "lagoon", "sluice"))
         .distinct()
-        .filter(MatchLibrary::isBuiltIn)
+        .filter(Level::isBuiltIn)
         .toList();
   }
 
@@ -123,7 +123,7 @@ public interface MatchLibrary {
 
   /** Returns the level that comes with the program under a name or title, or null. */
   private static Level builtInLevel(String name) throws LevelException {
-    if (isBuiltIn(name)) {
+    if (Level.isBuiltIn(name)) {
       return Level.builtIn(name);
     }
     for (String other : builtInLevels()) {
@@ -142,10 +142,6 @@ public interface MatchLibrary {
     } catch (LevelException | InvalidPathException e) {
       return false;
     }
-  }
-
-  private static boolean isBuiltIn(String name) {
-    return Level.class.getResource("/levels/" + name + ".json") != null;
   }
 
   /** Returns a level's title without what people leave out when they type it. */

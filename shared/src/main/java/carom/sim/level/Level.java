@@ -120,6 +120,8 @@ public final class Level {
    */
   public record Theme(int background, int sky, int grid, int accent) {}
 
+  private static volatile ClassLoader builtIns = Level.class.getClassLoader();
+
   private final String name;
   private final String gameName;
   private final byte[] source;
@@ -191,7 +193,7 @@ public final class Level {
    */
   public static Level builtIn(String name) throws LevelException {
     String fileName = name + ".json";
-    try (InputStream in = Level.class.getResourceAsStream("/levels/" + fileName)) {
+    try (InputStream in = builtIns.getResourceAsStream(resource(name))) {
       if (in == null) {
         throw new LevelException(
             fileName, 0, 0, "", "no level of this name comes with the program");
@@ -200,6 +202,20 @@ public final class Level {
     } catch (IOException e) {
       throw new LevelException(fileName, 0, 0, "", "can't read it: " + FileErrors.reason(e));
     }
+  }
+
+  /** Returns whether a level of a name is packed with the program or one of its games. */
+  public static boolean isBuiltIn(String name) {
+    return builtIns.getResource(resource(name)) != null;
+  }
+
+  /** Sets what finds packed levels: those of the program, and of jars that it loads later. */
+  public static void builtInsOf(ClassLoader loader) {
+    builtIns = loader;
+  }
+
+  private static String resource(String name) {
+    return "levels/" + name + ".json";
   }
 
   /** Returns the level's name, for people. */

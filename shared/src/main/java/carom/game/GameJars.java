@@ -1,0 +1,108 @@
+package carom.game;
+
+import carom.sim.level.Level;
+import carom.text.FileErrors;
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The jars of a folder of games, {@code --games FOLDER}, which a program has beside those on its
+ * class path. There is one such folder in a process, or none. Any thread.
+ *
+ * <p>The jars are copied first, so that a build may write them anew while games of the old ones are
+ * played. {@link #refresh} takes new ones: games that are made afterwards are of new classes, and
+ * those that run go on with theirs.
+ */
+public final class GameJars {
+  private static volatile ClassLoader loader = GameJars.class.getClassLoader();
+  private static Path folder;
+  private static String taken = "";
+
+  private GameJars() {}
+
+  /**
+   * Lets the process have the games of a folder.
+   *
+   * @throws IOException if it is no folder, or a jar can't be read
+   */
+  public static synchronized void open(Path newFolder) throws IOException {
+    if (!Files.isDirectory(newFolder)) {
+      throw new IOException(newFolder.toAbsolutePath().normalize() + " is no folder");
+    }
+    folder = newFolder;
+    take(state());
+  }
+
+  /** Returns what loads the games, and levels that come with them. */
+  public static ClassLoader loader() {
+    return loader;
+  }
+
+  /**
+   * Takes the folder's jars anew if they have changed.
+   *
+   * @return whether they have
+   */
+  public static synchronized boolean refresh() {
+    try {
+      String now = state();
+      if (now.equals(taken)) {
+        return false;
+      }
+      take(now);
+      return true;
+    } catch (IOException e) {
+      // No logger before: flags are read while the log begins.
+      LoggerFactory.getLogger(GameJars.class)
+          .warn("games in {} can't be read anew: {}", folder, FileErrors.reason(e));
+      return false;
+    }
+  }
+
+  /** Returns names, sizes and times of the jars in the folder; empty if there is none. */
+  public static synchronized String state() throws IOException {
+    if (folder == null) {
+      return "";
+    }
+    StringBuilder state = new StringBuilder();
+    for (Path jar : jars()) {
+      state.append(jar).append(' ').append(Files.size(jar)).append(' ');
+      state.append(Files.getLastModifiedTime(jar)).append('\n');
+    }
+    return state.toString();
+  }
+
+  private static List<Path> jars() throws IOException {
+    List<Path> jars = new ArrayList<>();
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*.jar")) {
+      files.forEach(jars::add);
+    }
+    Collections.sort(jars);
+    return jars;
+  }
+
+  private static void take(String state) throws IOException {
+    Path copies = Files.createTempDirectory("carom-games");
+    copies.toFile().deleteOnExit();
+    List<URL> urls = new ArrayList<>();
+    for (Path jar : jars()) {
+      Path copy = copies.resolve(jar.getFileName());
+      Files.copy(jar, copy, StandardCopyOption.REPLACE_EXISTING);
+      copy.toFile().deleteOnExit();
+      urls.add(copy.toUri().toURL());
+    }
+    // Not closed: games of it may run until the program ends.
+    loader = new URLClassLoader(urls.toArray(new URL[0]), GameJars.class.getClassLoader());
+    Level.builtInsOf(loader);
+    taken = state;
+  }
+}
