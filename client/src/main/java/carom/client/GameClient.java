@@ -31,6 +31,8 @@ import carom.sim.message.Message;
 import carom.sim.message.PlayerColour;
 import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
+import carom.text.FileErrors;
+import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
@@ -179,13 +181,15 @@ public final class GameClient implements AutoCloseable {
     @Override
     public String joined(ServerMessage.Welcome welcome, Level level) {
       Game rules;
-      if (config.get(ClientConfig.DEV)) {
-        GameJars.refresh(); // the server may play a new build
-      }
       try {
+        if (config.get(ClientConfig.DEV)) {
+          GameJars.refresh(); // the server may play a new build
+        }
         rules = Games.create(welcome.game());
       } catch (IllegalArgumentException e) {
         return "This client can't play " + welcome.game() + ": " + e.getMessage();
+      } catch (IOException e) {
+        return "The games in --games can't be read: " + FileErrors.reason(e) + ".";
       }
       try {
         return join(welcome, level, rules);

@@ -71,7 +71,7 @@ final class DevWatch implements Runnable {
   }
 
   private void look() {
-    if (areJarsSettled() && GameJars.refresh()) {
+    if (haveJarsChanged()) {
       LOG.info("dev: the jars of games have changed");
       rooms.forEach(this::playNewCode);
     }
@@ -82,13 +82,14 @@ final class DevWatch implements Runnable {
     }
   }
 
-  private boolean areJarsSettled() {
+  private boolean haveJarsChanged() {
     try {
       String before = jars;
       jars = GameJars.state();
-      return jars.equals(before);
+      return jars.equals(before) && GameJars.refresh();
     } catch (IOException e) {
-      return false; // they are being written
+      LOG.debug("dev: jars are being written: {}", FileErrors.reason(e));
+      return false;
     }
   }
 

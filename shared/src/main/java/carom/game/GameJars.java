@@ -1,7 +1,6 @@
 package carom.game;
 
 import carom.sim.level.Level;
-import carom.text.FileErrors;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -12,7 +11,6 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.slf4j.LoggerFactory;
 
 /**
  * The jars of a folder of games, {@code --games FOLDER}, which a program has beside those on its
@@ -51,21 +49,15 @@ public final class GameJars {
    * Takes the folder's jars anew if they have changed.
    *
    * @return whether they have
+   * @throws IOException if one can't be read; the games stay as they are
    */
-  public static synchronized boolean refresh() {
-    try {
-      String now = state();
-      if (now.equals(taken)) {
-        return false;
-      }
-      take(now);
-      return true;
-    } catch (IOException e) {
-      // No logger before: flags are read while the log begins.
-      LoggerFactory.getLogger(GameJars.class)
-          .warn("games in {} can't be read anew: {}", folder, FileErrors.reason(e));
+  public static synchronized boolean refresh() throws IOException {
+    String now = state();
+    if (now.equals(taken)) {
       return false;
     }
+    take(now);
+    return true;
   }
 
   /** Returns names, sizes and times of the jars in the folder; empty if there is none. */
