@@ -1,6 +1,6 @@
 package carom.net.transport;
 
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.ArrayDeque;
 
 /**
  * One direction of a simulated bad network, for links that send by themselves: work is done later,
@@ -8,7 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class BadLine {
   private final HandshakeLine line;
-  private final AtomicLong lastNs = new AtomicLong(System.nanoTime());
+  private final ArrayDeque<Runnable> inOrder = new ArrayDeque<>();
+  private long lastNs = System.nanoTime();
 
   /** Creates a direction of a line. */
   public BadLine(HandshakeLine line) {
@@ -16,11 +17,19 @@ public final class BadLine {
   }
 
   /** Does what reaches the other end for sure, after all that was reliable before. */
-  public void reliable(Runnable work) {
+  public synchronized void reliable(Runnable work) {
     long nowNs = System.nanoTime();
-    long wayNs = line.oneWayNanos();
-    long dueNs = lastNs.updateAndGet(last -> last - nowNs - wayNs > 0 ? last : nowNs + wayNs);
-    line.after(dueNs - nowNs, work);
+    lastNs += Math.max(0, nowNs + line.oneWayNanos() - lastNs);
+    inOrder.add(work);
+    line.after(lastNs - nowNs, this::doNext); // works due at once may change places
+  }
+
+  private void doNext() {
+    Runnable work;
+    synchronized (this) {
+      work = inOrder.remove();
+    }
+    work.run();
   }
 
   /** Does what a datagram does, unless it is lost. */
