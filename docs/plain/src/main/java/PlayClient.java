@@ -35,7 +35,9 @@ public class PlayClient extends ApplicationAdapter {
     else if (o instanceof Welcome) welcome = (Welcome) o;
     else if (o instanceof Match) {
       match = (Match) o; // a new one: forget all
-      for (Collection<?> all : List.of(bodies.values(), poses.values(), players.values(), archetypes, ground)) all.clear();
+      for (Collection<?> all :
+          List.of(bodies.values(), poses.values(), players.values(), archetypes, ground))
+        all.clear();
       newest = before = -1;
       Collections.addAll(archetypes, match.archetypes);
       Collections.addAll(ground, match.ground);
@@ -51,7 +53,7 @@ public class PlayClient extends ApplicationAdapter {
   }
 
   void take(Snapshot s) {
-    if (s.tick < newest) return; // it is late
+    if (s.tick < newest || match == null) return; // it is late, or early
     if (s.tick > newest) before = newest;
     newest = s.tick;
     for (Body b : s.bodies) {
@@ -59,9 +61,10 @@ public class PlayClient extends ApplicationAdapter {
         bodies.put(b.id, b);
         poses.put(b.id, new ArrayList<>());
       }
-      List<float[]> all = poses.get(b.id);
+      List<float[]> all = poses.computeIfAbsent(b.id, id -> new ArrayList<>());
       float[] last = all.isEmpty() ? null : all.get(all.size() - 1);
-      if (last != null && last[0] < before) all.add(new float[] {before, last[1], last[2], last[3]}); // it kept still
+      if (last != null && last[0] < before)
+        all.add(new float[] {before, last[1], last[2], last[3]}); // it kept still
       all.add(new float[] {s.tick, b.x, b.y, b.angle});
     }
     for (int id : s.gone) bodies.remove(id);
@@ -73,7 +76,11 @@ public class PlayClient extends ApplicationAdapter {
     while (p.size() > 1 && p.get(1)[0] <= shownTick) p.remove(0);
     float[] a = p.get(0), b = p.get(p.size() > 1 ? 1 : 0);
     float part = a == b ? 0 : MathUtils.clamp((shownTick - a[0]) / (b[0] - a[0]), 0, 1);
-    return new float[] {a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2]), MathUtils.lerpAngle(a[3], b[3], part)};
+    return new float[] {
+      a[1] + part * (b[1] - a[1]),
+      a[2] + part * (b[2] - a[2]),
+      MathUtils.lerpAngle(a[3], b[3], part)
+    };
   }
 
   public void render() {
@@ -102,10 +109,12 @@ public class PlayClient extends ApplicationAdapter {
 
   void draw(Archetype kind, int rgb, float[] at) {
     shapes.setColor(new Color(rgb << 8 | 0xff));
-    shapes.setTransformMatrix(new Matrix4().setToTranslation(at[0], at[1], 0).rotateRad(Vector3.Z, at[2]));
+    shapes.setTransformMatrix(
+        new Matrix4().setToTranslation(at[0], at[1], 0).rotateRad(Vector3.Z, at[2]));
     for (Part part : kind.parts) {
       float[] c = part.corners;
-      for (int i = 2; i + 2 < c.length; i += 2) shapes.triangle(c[0], c[1], c[i], c[i + 1], c[i + 2], c[i + 3]);
+      for (int i = 2; i + 2 < c.length; i += 2)
+        shapes.triangle(c[0], c[1], c[i], c[i + 1], c[i + 2], c[i + 3]);
       for (int i = 0, n = c.length; part.radius > 0 && i < n; i += 2) { // rounded
         shapes.circle(c[i], c[i + 1], part.radius, 24);
         shapes.rectLine(c[i], c[i + 1], c[(i + 2) % n], c[(i + 3) % n], 2 * part.radius);
@@ -135,11 +144,12 @@ public class PlayClient extends ApplicationAdapter {
     String[] args = given.length == 4 ? given : new String[] {"localhost", "54560", "54780", "Ann"};
     PlayClient game = new PlayClient();
     Plain.register(game.client.getKryo());
-    game.client.addListener(new Listener() {
-      public void received(Connection link, Object o) {
-        game.heard.add(o); // render takes it: all else runs on one thread
-      }
-    });
+    game.client.addListener(
+        new Listener() {
+          public void received(Connection link, Object o) {
+            game.heard.add(o); // render takes it: all else runs on one thread
+          }
+        });
     game.client.start();
     game.client.connect(5000, args[0], Integer.parseInt(args[1]), Integer.parseInt(args[2]));
     game.client.sendTCP(new Join(args[3]));

@@ -42,6 +42,7 @@ final class DevWatch implements Runnable {
   private final MatchLibrary library;
   private final Map<String, Watched> levels = new TreeMap<>();
   private String jars = "";
+  private String refused = "";
 
   private DevWatch(List<Room> rooms, DataFolder data, MatchLibrary library) {
     this.rooms = rooms;
@@ -86,9 +87,10 @@ final class DevWatch implements Runnable {
     try {
       String before = jars;
       jars = GameJars.state();
-      return jars.equals(before) && GameJars.refresh();
-    } catch (IOException e) {
-      LOG.debug("dev: jars are being written: {}", FileErrors.reason(e));
+      return jars.equals(before) && !jars.equals(refused) && GameJars.refresh();
+    } catch (IOException e) { // or one goes while it is looked at
+      refused = jars;
+      LOG.warn("dev: the jars of games can't be read anew: {}", FileErrors.reason(e));
       return false;
     }
   }

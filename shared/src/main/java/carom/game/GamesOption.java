@@ -1,5 +1,6 @@
 package carom.game;
 
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,7 +27,8 @@ public final class GamesOption {
     try {
       GameJars.open(folder);
     } catch (IOException e) {
-      throw new ParameterException(spec.commandLine(), "--games=" + folder + ": " + e.getMessage());
+      throw new ParameterException(
+          spec.commandLine(), "--games=" + folder + ": " + FileErrors.reason(e));
     }
   }
 }

@@ -64,13 +64,13 @@ final class Balance {
     }
     double difference = own - to.load();
     String best = null;
-    double most = LEAST_GAIN;
+    double most = 0;
     for (Map.Entry<String, Double> room : new TreeMap<>(rooms).entrySet()) {
       double load = room.getValue() * (own / sum);
       double gain = difference - Math.abs(difference - 2 * load);
-      if (gain >= most) {
+      if (gain >= LEAST_GAIN && gain > most) {
         best = room.getKey();
-        most = gain + Math.ulp(gain); // of equals, the first
+        most = gain;
       }
     }
     if (best == null) {

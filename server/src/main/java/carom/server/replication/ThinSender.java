@@ -78,6 +78,7 @@ final class ThinSender {
   private long nextEvent;
   private int rateAccumulator;
   private int ticksSinceSent;
+  private int firstTick = NEVER;
   private int lastTick = NEVER;
   private int lastInput = NEVER;
   private int snapshots;
@@ -162,6 +163,7 @@ final class ThinSender {
     ticksSinceSent = 0;
     snapshots++;
     lastTick = snapshot.tick;
+    firstTick = firstTick == NEVER ? lastTick : firstTick;
     lastInput = snapshot.input;
     int bytes = link.maySend() ? link.show(snapshot) : 0;
     bucket -= (long) bytes * tickRateHz;
@@ -230,7 +232,7 @@ final class ThinSender {
     FrameState frame = frames.newest();
     int now = frame.tick();
     // What is told since a later tick may be unknown to the client. A stream loses nothing.
-    int seen = link.isStream() ? lastTick : Math.min(link.seenTick(), lastTick);
+    int seen = link.isStream() ? lastTick : seenOfMatch();
     grow(frame.slotLimit());
     snapshot.clear(now, link.inputCount());
     for (int slot = 0; slot < told.length; slot++) {
@@ -250,6 +252,12 @@ final class ThinSender {
         }
       }
     }
+  }
+
+  /** Returns the newest tick that the client has seen; never for one of another match. */
+  private int seenOfMatch() {
+    int seen = link.seenTick();
+    return firstTick == NEVER || seen < firstTick || seen > lastTick ? NEVER : seen;
   }
 
   private void tell(FrameState frame, int slot, int seen, int now) {

@@ -250,11 +250,11 @@ public abstract class ThinLink implements Link {
   }
 
   private void take(ThinClientMessage.Input input) {
-    seenTick = Math.max(seenTick, input.seenTick());
     int fresh = anyInput ? input.count() - newestCount : 1; // wraps
     if (fresh <= 0) {
       return;
     }
+    seenTick = input.seenTick();
     for (int i = Math.min(fresh, input.inputs().length) - 1; i >= 0; i--) {
       unseenButtons |= input.inputs()[i] & 0xffff;
     }
@@ -293,7 +293,10 @@ public abstract class ThinLink implements Link {
     }
   }
 
-  /** Returns the tick of the newest snapshot that the client has seen, or -1. */
+  /**
+   * Returns the tick of the newest snapshot that the client has seen, as its newest input says,
+   * perhaps of the match before; or -1.
+   */
   public final int seenTick() {
     synchronized (lock) {
       return seenTick;

@@ -49,6 +49,12 @@ final class ThinDoor implements ServerTransport {
       receive(new ThinClientMessage.Input(count, tick, newestFirst));
     }
 
+    /** Says what was on the way when a match ended: a tick of that match as seen. */
+    void pressLate(int seenTick) {
+      count += 1;
+      receive(new ThinClientMessage.Input(count, seenTick, new long[] {0}));
+    }
+
     void breakOff() {
       lost("pulled");
     }

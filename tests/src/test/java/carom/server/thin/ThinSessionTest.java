@@ -454,6 +454,9 @@ final class ThinSessionTest {
         if (random.nextInt(3) == 0) {
           c.press(new Input().move(random.nextFloat() * 2 - 1, 0).pack());
         }
+        if (random.nextInt(20) == 0) {
+          c.pressLate(1_000 + random.nextInt(10_000));
+        }
         if (random.nextInt(60) == 0) {
           c.say(new ThinClientMessage.Rate(random.nextInt(80)));
         }
