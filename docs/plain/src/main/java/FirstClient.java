@@ -17,6 +17,7 @@ import java.util.Map;
 /** A whole client with KryoNet as it is: joins, walks to the right, and prints where it is. */
 public class FirstClient {
   static volatile int me = -1; // own player
+  static int match; // its number
   static volatile int tick = -1; // newest snapshot
   static final Map<Integer, Integer> OWNERS = new HashMap<>(); // of bodies
 
@@ -33,11 +34,13 @@ public class FirstClient {
         new Listener() {
           @Override
           public void received(Connection link, Object o) {
-            if (o instanceof Snapshot) {
+            if (o instanceof Snapshot && ((Snapshot) o).match == match) {
               tick = ((Snapshot) o).tick;
               for (Body b : ((Snapshot) o).bodies) draw(b);
-            } else if (o instanceof Match) me = ((Match) o).player;
-            else if (o instanceof Chat) System.out.println(((Chat) o).text);
+            } else if (o instanceof Match) {
+              match = ((Match) o).number;
+              me = ((Match) o).player;
+            } else if (o instanceof Chat) System.out.println(((Chat) o).text);
             else if (o instanceof Refused) System.out.println(((Refused) o).text);
             else if (o instanceof Goodbye) System.out.println(((Goodbye) o).text);
           }

@@ -53,7 +53,7 @@ public class PlayClient extends ApplicationAdapter {
   }
 
   void take(Snapshot s) {
-    if (s.tick < newest || match == null) return; // it is late, or early
+    if (match == null || s.match != match.number || s.tick < newest) return; // early or late
     if (s.tick > newest) before = newest;
     newest = s.tick;
     for (Body b : s.bodies) {

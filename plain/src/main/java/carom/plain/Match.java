@@ -8,6 +8,9 @@ public final class Match {
   /** Newest tick. */
   public int tick;
 
+  /** Number of the match on this connection, from 1; its snapshots carry it. */
+  public int number;
+
   /** Name of the room. */
   public String room;
 

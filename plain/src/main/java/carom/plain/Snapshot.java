@@ -10,6 +10,9 @@ public final class Snapshot {
   /** Count of the own input that was used last; -1 before the first. */
   public int input;
 
+  /** {@link Match#number} of its match: skip what isn't of the newest one. */
+  public int match;
+
   /** Number of this part, from 0. */
   public int part;
 

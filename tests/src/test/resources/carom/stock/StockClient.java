@@ -49,6 +49,7 @@ public final class StockClient {
   private static volatile int tick = -1;
   private static volatile int used = -1;
   private static volatile int snapshots;
+  private static int match;
   private static volatile int parts;
   private static volatile int buttons;
   private static volatile float moveX;
@@ -64,8 +65,8 @@ public final class StockClient {
 
   private static synchronized void show(Snapshot s) {
     snapshots++;
-    if (s.tick < tick) {
-      return; // an older one came late
+    if (s.match != match || s.tick < tick) {
+      return; // of another match, or late
     }
     parts = s.tick == tick ? parts + 1 : 1;
     for (Body b : s.bodies) {
@@ -100,6 +101,7 @@ public final class StockClient {
       BODIES.clear();
       PLAYERS.clear();
       tick = -1;
+      match = m.number;
       player = m.player;
       joined = true;
       say(

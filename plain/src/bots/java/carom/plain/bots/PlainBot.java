@@ -38,6 +38,7 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
   private final Client client;
   private final boolean byUdp;
   private Input last;
+  private int match; // its number
 
   /**
    * Connects and asks to join.
@@ -106,6 +107,9 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
   private void hear(Object o) {
     if (o instanceof Snapshot) {
       Snapshot s = (Snapshot) o;
+      if (s.match != match) {
+        return; // of the match before, or it has overtaken its own
+      }
       int[] ids = new int[3 * s.bodies.length];
       float[] poses = new float[ids.length];
       for (int i = 0; i < s.bodies.length; i++) {
@@ -119,6 +123,7 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
       }
       tell("snapshot", s.tick, s.parts, s.input, ids, poses, s.gone);
     } else if (o instanceof Match) {
+      match = ((Match) o).number;
       tell("match", ((Match) o).player);
     } else if (o instanceof Roster) {
       for (Player p : ((Roster) o).players) {

@@ -336,6 +336,11 @@ final class PlainConnection implements Entrance.Guest {
     }
   }
 
+  /** Returns the number of the newest match that was told, from 1; the thread that tells it. */
+  int matches() {
+    return encoder.matches();
+  }
+
   /** Sends a message that is encoded already; any thread. */
   boolean send(byte[] bytes, int length) {
     synchronized (out) {

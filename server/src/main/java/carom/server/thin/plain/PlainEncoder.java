@@ -29,15 +29,22 @@ final class PlainEncoder {
 
   private final KryoOutput scratch = new KryoOutput();
   private GameClasses classes;
+  private int matches;
 
   /** Writes the game's messages by classes that the client has; null by name. */
   void use(GameClasses ofGame) {
     classes = ofGame;
   }
 
+  /** Returns the number of the newest match that was written, from 1; 0 before the first. */
+  int matches() {
+    return matches;
+  }
+
   /** Appends a message to what is sent by TCP. */
   void encode(KryoOutput out, ThinServerMessage message) {
     if (message instanceof ThinServerMessage.Match m) {
+      matches++;
       match(out, m);
     } else if (message instanceof ThinServerMessage.Roster m) {
       roster(out, m);
@@ -190,7 +197,7 @@ final class PlainEncoder {
   }
 
   /** Writes all but the long lists, to know the size. */
-  private static void matchTail(KryoOutput out, ThinServerMessage.Match m, int more) {
+  private void matchTail(KryoOutput out, ThinServerMessage.Match m, int more) {
     reals(out, m.bounds());
     list(out, m.events(), PlainEncoder::eventLook);
     out.text(m.game());
@@ -198,10 +205,11 @@ final class PlainEncoder {
     matchEnd(out, m, more);
   }
 
-  private static void matchEnd(KryoOutput out, ThinServerMessage.Match m, int more) {
+  private void matchEnd(KryoOutput out, ThinServerMessage.Match m, int more) {
     out.text(m.level());
     list(out, m.messages(), PlainEncoder::kind);
     out.whole(more);
+    out.whole(matches);
     out.whole(m.player());
     out.text(m.room());
     list(out, m.teams(), PlainEncoder::team);

@@ -84,7 +84,7 @@ final class PlainLink extends ThinLink {
         cutter.cut(snapshot, udp == null ? MAX_STREAM_PART : ProtocolLimits.MAX_DATAGRAM_BYTES);
     for (int i = 0; i < parts; i++) {
       scratch.truncate(0);
-      cutter.write(scratch, i);
+      cutter.write(scratch, connection.matches(), i);
       bytes += scratch.length();
       boolean sent =
           udp == null

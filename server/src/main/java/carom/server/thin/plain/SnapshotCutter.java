@@ -11,8 +11,8 @@ final class SnapshotCutter {
   private static final float METRES = 1f / ThinSnapshot.STEPS_PER_METRE;
   private static final float RADIANS = (float) (2 * Math.PI / ThinSnapshot.STEPS_PER_TURN);
 
-  /** Bytes around the lists: class number, two lengths, and four numbers. */
-  private static final int HEAD_BYTES = 1 + 3 + 3 + 5 + 3 + 3 + 5;
+  /** Bytes around the lists: class number, two lengths, and five numbers. */
+  private static final int HEAD_BYTES = 1 + 3 + 3 + 5 + 5 + 3 + 3 + 5;
 
   private static final int MAX_ID_BYTES = 3;
   private static final int REALS_BYTES = 12;
@@ -69,8 +69,8 @@ final class SnapshotCutter {
         + KryoOutput.sizeOf(snapshot.owner[i]);
   }
 
-  /** Appends a part. */
-  void write(KryoOutput out, int part) {
+  /** Appends a part of a snapshot of the match with this number. */
+  void write(KryoOutput out, int match, int part) {
     int firstBody = part == 0 ? 0 : bodyEnds[part - 1];
     int firstGone = part == 0 ? 0 : goneEnds[part - 1];
     out.count(PlainIds.SNAPSHOT);
@@ -89,6 +89,7 @@ final class SnapshotCutter {
       out.whole(snapshot.gone[i]);
     }
     out.whole(snapshot.input);
+    out.whole(match);
     out.whole(part);
     out.whole(parts);
     out.whole(snapshot.tick);

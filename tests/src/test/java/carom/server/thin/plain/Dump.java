@@ -45,6 +45,7 @@ final class Dump {
     }
     if (value instanceof ThinServerMessage.Match) {
       fields.put("more", 0);
+      fields.put("number", 1); // an encoder for each
     } else if (value instanceof ThinServerMessage.Joints) {
       fields.put("part", 0);
       fields.put("parts", 1);
@@ -82,7 +83,7 @@ final class Dump {
 
   /** Returns a part of a snapshot as the client reads it. */
   static String part(
-      ThinSnapshot s, int part, int parts, int from, int to, int goneFrom, int goneTo) {
+      ThinSnapshot s, int match, int part, int parts, int from, int to, int goneFrom, int goneTo) {
     List<String> bodies = new ArrayList<>();
     for (int i = from; i < to; i++) {
       bodies.add(
@@ -110,6 +111,8 @@ final class Dump {
         + String.join(",", gone)
         + "];input="
         + s.input
+        + ";match="
+        + match
         + ";part="
         + part
         + ";parts="

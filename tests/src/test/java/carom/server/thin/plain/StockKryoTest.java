@@ -92,12 +92,13 @@ final class StockKryoTest {
       s.addGone(random.nextInt(65_535));
     }
     SnapshotCutter cutter = new SnapshotCutter();
+    int match = whole();
     int parts = cutter.cut(s, Math.max(64, maxBytes));
     int body = 0;
     int goneSoFar = 0;
     for (int part = 0; part < parts; part++) {
       KryoOutput out = new KryoOutput();
-      cutter.write(out, part);
+      cutter.write(out, match, part);
       assertTrue(out.length() <= Math.max(64, maxBytes), "bytes=" + out.length());
       byte[] bytes = bytes(out);
       frames.add(bytes);
@@ -105,7 +106,7 @@ final class StockKryoTest {
       int bodyEnd = body + count;
       int goneEnd =
           part == parts - 1 ? s.goneCount : bodyEnd < s.count ? goneSoFar : goneSoFar + gone(bytes);
-      expected.add(Dump.part(s, part, parts, body, bodyEnd, goneSoFar, goneEnd));
+      expected.add(Dump.part(s, match, part, parts, body, bodyEnd, goneSoFar, goneEnd));
       body = bodyEnd;
       goneSoFar = goneEnd;
     }
