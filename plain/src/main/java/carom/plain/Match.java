@@ -23,6 +23,9 @@ public final class Match {
   /** Least x, least y, greatest x and greatest y that players normally reach, metres. */
   public float[] bounds;
 
+  /** Acceleration of free bodies along x and y, m/s^2. */
+  public float[] gravity;
+
   /** Colours of the background. */
   public Theme theme;
 

@@ -166,6 +166,16 @@ public final class Sprite {
     return frames;
   }
 
+  /** Returns how many frames show in a second. */
+  float framesPerSecond() {
+    return framesPerSecond;
+  }
+
+  /** Returns how many frames show for each metre. */
+  float framesPerMetre() {
+    return framesPerMetre;
+  }
+
   /** Returns the direction in which it points. */
   public Turn turn() {
     return turn;

@@ -21,7 +21,13 @@ public final class SiteFiles {
           ".html", "text/html; charset=utf-8",
           ".css", "text/css; charset=utf-8",
           ".js", "text/javascript; charset=utf-8",
-          ".svg", "image/svg+xml");
+          ".json", "application/json",
+          ".svg", "image/svg+xml",
+          ".png", "image/png",
+          ".jpg", "image/jpeg",
+          ".jpeg", "image/jpeg",
+          ".wav", "audio/wav",
+          ".ogg", "audio/ogg");
 
   /** Headers that limit what browsers may do with the answers to what the page itself needs. */
   private static final Map<String, String> HEADERS =
@@ -56,7 +62,7 @@ public final class SiteFiles {
   public SiteFiles(Class<?> place, List<String> paths) {
     for (String path : paths) {
       String name = path.substring(path.lastIndexOf('/') + 1);
-      String type = TYPES.get(name.substring(name.lastIndexOf('.')));
+      String type = typeOf(name);
       try (InputStream in = place.getResourceAsStream(path)) {
         if (type == null || in == null) {
           throw new IllegalArgumentException("path=" + path + " is no file of " + place);
@@ -66,6 +72,11 @@ public final class SiteFiles {
         throw new UncheckedIOException(e);
       }
     }
+  }
+
+  /** Returns the type of a file by the end of its name; null for an end that pages don't have. */
+  public static String typeOf(String name) {
+    return TYPES.get(name.substring(Math.max(0, name.lastIndexOf('.'))));
   }
 
   /** Adds the headers that protect the page to an answer. */
@@ -80,9 +91,14 @@ public final class SiteFiles {
     if (file == null) {
       return false;
     }
-    protect(exchange);
-    exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, file.type);
-    exchange.getResponseSender().send(file.bytes.duplicate());
+    send(exchange, file.type, file.bytes);
     return true;
+  }
+
+  /** Answers with a file. */
+  public static void send(HttpServerExchange exchange, String type, ByteBuffer bytes) {
+    protect(exchange);
+    exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, type);
+    exchange.getResponseSender().send(bytes.duplicate());
   }
 }

@@ -42,6 +42,7 @@ final class ThinMatches {
         s.game().name(),
         s.level().name(),
         List.of(bounds.minX(), bounds.minY(), bounds.maxX(), bounds.maxY()),
+        List.of(s.level().gravityX(), s.level().gravityY()),
         theme(s.level().theme()),
         zones(s.level()),
         archetypes(s),

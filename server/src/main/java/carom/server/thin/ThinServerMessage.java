@@ -31,6 +31,7 @@ public sealed interface ThinServerMessage {
    * @param game name of the game
    * @param level name of the level
    * @param bounds least x, least y, greatest x and greatest y that players normally reach, metres
+   * @param gravity along x and y, m/s^2
    * @param theme colours of the background
    * @param zones rectangles to tint behind the bodies, such as goals and water
    * @param archetypes kinds of bodies, by index
@@ -47,6 +48,7 @@ public sealed interface ThinServerMessage {
       String game,
       String level,
       List<Float> bounds,
+      List<Float> gravity,
       Theme theme,
       List<Zone> zones,
       List<Archetype> archetypes,

@@ -1,5 +1,6 @@
 package carom.client.desktop.look;
 
+import carom.client.look.LookFiles;
 import carom.text.FileErrors;
 import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.graphics.Texture;

@@ -185,6 +185,7 @@ final class PlainEncoder {
     list(out, m.events(), PlainEncoder::eventLook);
     out.text(m.game());
     list(out, m.gauges(), PlainEncoder::gauge);
+    reals(out, m.gravity());
     list(out, grounds.get(0), PlainEncoder::ground);
     matchEnd(out, m, kinds.size() - 1);
     end(out, begin);
@@ -202,6 +203,7 @@ final class PlainEncoder {
     list(out, m.events(), PlainEncoder::eventLook);
     out.text(m.game());
     list(out, m.gauges(), PlainEncoder::gauge);
+    reals(out, m.gravity());
     matchEnd(out, m, more);
   }
 

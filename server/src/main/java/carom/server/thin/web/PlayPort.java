@@ -41,6 +41,7 @@ import java.util.concurrent.atomic.AtomicLong;
 public final class PlayPort implements ServerTransport {
   private static final String SOCKET = "/thin";
   private static final String PAGE = "/play";
+  private static final String LOOKS = "/play/look/";
   private static final AttachmentKey<Comer> COMER = AttachmentKey.create(Comer.class);
 
   /** Bytes that the system may keep for a client that reads slowly: half a second of a game. */
@@ -69,8 +70,11 @@ public final class PlayPort implements ServerTransport {
               "play/controls.js",
               "play/sounds.js",
               "play/qr.js",
+              "play/look.js",
+              "play/sparks.js",
               "/carom/server/web/painter.js",
               "/carom/server/web/icon.svg"));
+  private final LookSite looks = new LookSite();
   private final boolean encrypted;
   private final RequestGuard guard;
   private final Origins origins;
@@ -182,7 +186,9 @@ public final class PlayPort implements ServerTransport {
       exchange.setStatusCode(StatusCodes.FOUND);
       exchange.getResponseHeaders().put(Headers.LOCATION, "play/");
       exchange.endExchange();
-    } else if (!path.startsWith(PAGE + "/") || !files.send(exchange, fileName(path))) {
+    } else if (path.startsWith(LOOKS)
+        ? !looks.send(exchange, path.substring(LOOKS.length()))
+        : !path.startsWith(PAGE + "/") || !files.send(exchange, fileName(path))) {
       HttpPort.answer(exchange, StatusCodes.NOT_FOUND, "/play /thin");
     }
   }

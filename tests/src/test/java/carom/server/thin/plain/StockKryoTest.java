@@ -152,6 +152,7 @@ final class StockKryoTest {
             "game",
             "level",
             List.of(0f, 0f, 1f, 1f),
+            List.of(0f, -10f),
             new ThinServerMessage.Theme(1, 2, 3),
             List.of(),
             kinds,

@@ -32,6 +32,9 @@ final class PlayPageTest {
   private static final int ESCAPE = 27;
   private static final List<String> GAMES = List.of("arena", "platformer", "rockets", "shooter");
 
+  /** Games with a view, which the page has as data. */
+  private static final List<String> LOOKS = List.of("rockets", "shooter");
+
   @TempDir private Path folder;
   private Path program;
 
@@ -97,7 +100,25 @@ final class PlayPageTest {
         assertTrue(
             browser.evaluate("document.querySelector('#scores .own').textContent").contains("<b>"));
         moves(browser);
+        assertEquals(
+            String.valueOf(LOOKS.contains(game)),
+            browser.evaluate("!!caromPlay.picture.look"),
+            "the view of " + game);
       }
+      String kind = "caromPlay.picture.kinds[caromPlay.world.own.archetype].name";
+      browser.await("caromPlay.picture.look.spritesOf(" + kind + ")");
+      assertEquals(
+          "jump drop fire",
+          browser.evaluate(
+              "[...document.querySelectorAll('#buttons button')].map(b => b.textContent).join('"
+                  + " ')"));
+      browser.evaluate(
+          "document.querySelector('#buttons :last-child').dispatchEvent(new"
+              + " PointerEvent('pointerdown'))");
+      browser.await("caromPlay.picture.sparks.all.length > 0"); // of the shot
+      browser.evaluate(
+          "document.querySelector('#buttons :last-child').dispatchEvent(new"
+              + " PointerEvent('pointerup'))");
       browser.press("Enter", ENTER);
       browser.type("hello <i>all</i>");
       browser.press("Enter", ENTER);

@@ -1,48 +1,91 @@
-// Keys, mouse, gamepad and glass as one input: buttons, moves from -1 to 1, an aim in radians.
+// Keys, mouse, gamepad and glass as one input: buttons, moves from -1 to 1, an aim in radians. A game's look may say what does what.
 
 const JUMP = 1, ACTION = 2, SECOND = 4, DOWN = 8, UP = 16;
-const KEYS = {KeyA: 'left', ArrowLeft: 'left', KeyD: 'right', ArrowRight: 'right', KeyW: 'up', ArrowUp: 'up', KeyS: 'down', ArrowDown: 'down',
-  Space: 'main', KeyE: 'second', ShiftLeft: 'second', KeyJ: 'main', KeyK: 'second'};
-const DEAD = 0.2, STICK = 56;
+const MOVES = {KeyA: 'left', ArrowLeft: 'left', KeyD: 'right', ArrowRight: 'right', KeyW: 'up', ArrowUp: 'up', KeyS: 'down', ArrowDown: 'down'};
+const BUTTONS = {Space: 'main', KeyE: 'second', ShiftLeft: 'second', KeyJ: 'main', KeyK: 'second'};
+const GLASS = [['A', 'main'], ['B', 'second']];
+const PAD = {A: 0, B: 1, X: 2, Y: 3, L1: 4, R1: 5, Back: 8, Start: 9, L3: 10, R3: 11};
+const MOUSE = ['left', 'middle', 'right'];
+const CODES = {Left: 'ArrowLeft', Right: 'ArrowRight', Up: 'ArrowUp', Down: 'ArrowDown', 'L-Shift': 'ShiftLeft', 'R-Shift': 'ShiftRight',
+  'L-Ctrl': 'ControlLeft', 'R-Ctrl': 'ControlRight', 'L-Alt': 'AltLeft', 'R-Alt': 'AltRight', Delete: 'Backspace', 'Forward Delete': 'Delete', '`': 'Backquote',
+  '-': 'Minus', '=': 'Equal', '[': 'BracketLeft', ']': 'BracketRight', '\\': 'Backslash', ';': 'Semicolon', "'": 'Quote', ',': 'Comma', '.': 'Period', '/': 'Slash',
+  'Page Up': 'PageUp', 'Page Down': 'PageDown'};
+const DEAD = 0.2, STICK = 56, EDGE = 0.9;
+
+/** Returns the code that browsers give a key which the window calls by a name, such as "W" or "L-Shift". */
+function codeOf(name) {
+  if (/^[A-Z]$/.test(name)) return `Key${name}`;
+  if (/^[0-9]$/.test(name)) return `Digit${name}`;
+  if (/^Num(pad)? [0-9]$/.test(name)) return `Numpad${name.at(-1)}`;
+  return CODES[name] || name;
+}
 
 export class Controls {
-  /** `onGlass` is called at the first touch; `canPlay` says whether presses are for the game. */
-  constructor(canvas, sticks, canPlay, onGlass) {
+  /** `glass` has the elements `left` and `right` for sticks, and `buttons`; `canPlay` tells whether presses are for the game; `onGlass` hears of touches. */
+  constructor(canvas, glass, canPlay, onGlass) {
     this.canvas = canvas;
     this.held = new Set();
-    this.mouse = {x: 0, y: 0, left: false, right: false, aims: false};
-    this.left = this.stick(sticks.left);
-    this.right = this.stick(sticks.right);
+    this.mouse = {x: 0, y: 0, down: new Set(), aims: false};
+    this.glass = glass;
+    this.left = this.stick(glass.left);
+    this.right = this.stick(glass.right);
     this.pressed = new Set(); // buttons on glass
     this.aim = 0;
     this.canPlay = canPlay;
     this.onGlass = onGlass;
+    this.use([]);
     addEventListener('keydown', e => {
-      if (KEYS[e.code] && canPlay()) { this.held.add(KEYS[e.code]); e.preventDefault(); }
+      if (this.keys.has(e.code) && canPlay()) { this.held.add(e.code); e.preventDefault(); }
     });
-    addEventListener('keyup', e => this.held.delete(KEYS[e.code]));
+    addEventListener('keyup', e => this.held.delete(e.code));
     addEventListener('blur', () => this.release());
     document.addEventListener('visibilitychange', () => this.release());
     canvas.addEventListener('contextmenu', e => e.preventDefault());
     canvas.addEventListener('pointermove', e => {
-      if (e.pointerType === 'touch') return;
-      Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
+      if (e.pointerType !== 'touch') Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
     });
     canvas.addEventListener('pointerdown', e => {
       if (e.pointerType === 'touch') { onGlass(); return; }
       Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
-      this.mouse[e.button === 2 ? 'right' : 'left'] = true;
+      this.mouse.down.add(MOUSE[e.button]);
     });
-    addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.mouse[e.button === 2 ? 'right' : 'left'] = false; });
-    for (const [element, bit] of sticks.buttons) {
-      const set = on => e => {
-        e.preventDefault();
-        element.classList.toggle('down', on);
-        if (on) { this.pressed.add(bit); onGlass(); } else this.pressed.delete(bit);
-      };
-      element.addEventListener('pointerdown', set(true));
-      for (const name of ['pointerup', 'pointercancel', 'pointerleave']) element.addEventListener(name, set(false));
-    }
+    addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.mouse.down.delete(MOUSE[e.button]); });
+  }
+
+  /** Takes the actions of a game's look in place of the usual ones: its buttons, its movements and its aim, each if it has any. */
+  use(actions) {
+    const of = (...kinds) => actions.filter(a => kinds.includes(a.kind));
+    this.buttons = of('BUTTON').map(a => ({...a, name: a.bindings[0].name, codes: a.bindings[0].keys.map(codeOf)}));
+    this.moves = of('MOVE_X', 'MOVE_Y').map(a => ({...a, less: a.bindings[0].keys.map(codeOf), more: a.bindings[1].keys.map(codeOf)}));
+    this.aiming = of('AIM')[0];
+    this.keys = new Set([...this.buttons.flatMap(b => b.codes), ...this.moves.flatMap(m => [...m.less, ...m.more])]);
+    if (!this.moves.length) Object.keys(MOVES).forEach(code => this.keys.add(code));
+    if (!this.buttons.length) Object.keys(BUTTONS).forEach(code => this.keys.add(code));
+    this.release();
+    const shown = this.buttons.length ? this.buttons.map(b => [b.name, b.button]) : GLASS;
+    this.glass.buttons.replaceChildren(...shown.map(([name, what]) => this.glassButton(name, what)));
+    this.glass.right.hidden = !!this.buttons.length && !this.aiming;
+  }
+
+  /** Returns what the keys do, for people: "W, Space: jump". */
+  words() {
+    const words = (names, what) => `${names.join(', ')}: ${what}`;
+    const keys = b => words([...b.bindings[0].keys, ...b.mouse.map(m => `${m} mouse`)], b.name);
+    return [...this.moves.flatMap(m => m.bindings.map(b => words(b.keys, b.name))), ...this.buttons.map(keys)].join(' · ');
+  }
+
+  glassButton(name, what) {
+    const element = document.createElement('button');
+    element.className = 'round';
+    element.textContent = name;
+    const set = on => e => {
+      e.preventDefault();
+      element.classList.toggle('down', on);
+      if (on) { this.pressed.add(what); this.onGlass(); } else this.pressed.delete(what);
+    };
+    element.addEventListener('pointerdown', set(true));
+    for (const event of ['pointerup', 'pointercancel', 'pointerleave']) element.addEventListener(event, set(false));
+    return element;
   }
 
   /** Makes a stick of an element: {x, y} from -1 to 1 while a finger holds it. */
@@ -79,35 +122,62 @@ export class Controls {
   release() {
     this.held.clear();
     this.pressed.clear();
-    this.mouse.left = this.mouse.right = false;
+    this.mouse.down.clear();
   }
 
   /** Returns [buttons, moveX, moveY, aim]; `toWorld` turns pixels of the canvas into metres, `own` is the own place. */
   read(toWorld, own) {
-    const is = name => this.held.has(name) ? 1 : 0;
-    let x = is('right') - is('left') + this.left.x, y = is('up') - is('down') + this.left.y;
-    let main = is('main') || this.mouse.left || this.pressed.has('main');
-    let second = is('second') || this.mouse.right || this.pressed.has('second');
-    let aimX = this.right.x, aimY = this.right.y;
     const pad = [...navigator.getGamepads?.() ?? []].find(p => p?.connected && p.mapping === 'standard');
-    if (pad) {
-      const axis = v => Math.abs(v) < DEAD ? 0 : v, button = i => pad.buttons[i]?.pressed ? 1 : 0;
-      x += axis(pad.axes[0]) + button(15) - button(14);
-      y += button(12) - button(13) - axis(pad.axes[1]);
-      aimX += axis(pad.axes[2]);
-      aimY -= axis(pad.axes[3]);
-      main ||= button(0) || button(2) || button(5);
-      second ||= button(1);
-    }
+    const axis = i => Math.abs(pad?.axes[i] ?? 0) < DEAD ? 0 : pad.axes[i], padButton = i => pad?.buttons[i]?.pressed ? 1 : 0;
+    const sticks = {left: [axis(0), -axis(1)], right: [axis(2), -axis(3)], 'd-pad': [padButton(15) - padButton(14), padButton(12) - padButton(13)]};
+    let [x, y] = this.moves.length ? this.ownMoves(sticks) : this.usualMoves(sticks);
     const length = Math.max(1, Math.hypot(x, y));
     x /= length;
     y /= length;
+    let [aimX, aimY] = [this.right.x, this.right.y];
+    for (const name of this.aiming ? this.aiming.sticks : ['right']) { aimX += sticks[name][0]; aimY += sticks[name][1]; }
     if (aimX || aimY) { this.aim = Math.atan2(aimY, aimX); this.mouse.aims = false; }
-    else if (this.mouse.aims && own) { const at = toWorld(this.mouse.x, this.mouse.y); this.aim = Math.atan2(at[1] - own[1], at[0] - own[0]); }
+    else if (this.mouse.aims && own && (!this.aiming || this.aiming.mouse.length)) { const at = toWorld(this.mouse.x, this.mouse.y); this.aim = Math.atan2(at[1] - own[1], at[0] - own[0]); }
     else if (x || y) this.aim = Math.atan2(y, x);
     if (!this.canPlay()) return [0, 0, 0, this.aim];
-    const up = is('up') || y > 0.5;
-    const buttons = (main || up ? JUMP : 0) | (main ? ACTION : 0) | (second ? SECOND : 0) | (y < -0.5 ? DOWN : 0) | (y > 0.5 ? UP : 0);
-    return [buttons, x, y, this.aim];
+    return [this.buttons.length ? this.ownButtons(padButton) : this.usualButtons(padButton, y), x, y, this.aim];
+  }
+
+  any(codes) { return codes.some(code => this.held.has(code)) ? 1 : 0; }
+
+  usualMoves(sticks) {
+    const is = way => this.any(Object.keys(MOVES).filter(code => MOVES[code] === way && !this.buttons.some(b => b.codes.includes(code))));
+    const {left, 'd-pad': cross} = sticks;
+    return [is('right') - is('left') + this.left.x + left[0] + cross[0], is('up') - is('down') + this.left.y + left[1] + cross[1]];
+  }
+
+  /** Returns the movements of the look's actions; on glass, each has its way of the left stick. */
+  ownMoves(sticks) {
+    const way = [0, 0];
+    for (const m of this.moves) {
+      const at = m.kind === 'MOVE_X' ? 0 : 1;
+      way[at] += this.any(m.more) - this.any(m.less) + (at ? this.left.y : this.left.x);
+      for (const name of m.sticks) way[at] += sticks[name][at];
+    }
+    return way;
+  }
+
+  usualButtons(padButton, y) {
+    const is = name => this.any(Object.keys(BUTTONS).filter(code => BUTTONS[code] === name)) || this.pressed.has(name);
+    const main = is('main') || this.mouse.down.has('left') || padButton(0) || padButton(2) || padButton(5);
+    const second = is('second') || this.mouse.down.has('right') || padButton(1);
+    const up = this.any(['KeyW', 'ArrowUp']) || y > 0.5;
+    return (main || up ? JUMP : 0) | (main ? ACTION : 0) | (second ? SECOND : 0) | (y < -0.5 ? DOWN : 0) | (y > 0.5 ? UP : 0);
+  }
+
+  /** Returns the buttons of the look's actions. The aiming stick at its edge also does what the left mouse button does. */
+  ownButtons(padButton) {
+    const fires = Math.hypot(this.right.x, this.right.y) > EDGE;
+    let bits = 0;
+    for (const b of this.buttons) {
+      const held = this.any(b.codes) || this.pressed.has(b.button) || b.mouse.some(m => this.mouse.down.has(m) || m === 'left' && fires) || b.pad.some(p => padButton(PAD[p]));
+      if (held) bits |= b.button;
+    }
+    return bits;
   }
 }

@@ -1,9 +1,10 @@
 // The picture of a match: a camera, the level, bodies where they are shown, names, and what flashes.
 
+import {Sparks} from './sparks.js';
 import {EDGE, details, extent, eyes, hex, outline, shade} from './painter.js';
 
 const GRID = 2, SHADOW = [0.1, -0.14], RING_S = 0.45, LABEL_S = 1.1, RISE = 1.6, FOLLOW = 6, EMOTE_MS = 2500;
-const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, AROUND_ALL = 4, ZOOM = 2.5, HARD_BLOW = 20, LEAST_SHARE = 0.2, TRAIL_FROM = 0.5, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
 
 export class Picture {
   constructor(canvas, world) {
@@ -11,6 +12,8 @@ export class Picture {
     this.world = world;
     this.flashes = [];
     this.emotes = new Map();
+    this.look = null;
+    this.sparks = new Sparks();
     this.camera = {x: 0, y: 0, height: 20, placed: false};
   }
 
@@ -22,12 +25,25 @@ export class Picture {
     this.ground = match.ground.map(g => ({...g, kind: ready(drawn(g.kind))}));
     this.flashes = [];
     this.emotes.clear();
+    this.sparks.clear();
     this.camera.placed = false;
   }
 
   /** Lets a kind of event be seen at its place. */
-  flash(look, event, nowMs) {
-    if (look.radius > 0 || look.label) this.flashes.push({look, x: event.x, y: event.y, ms: nowMs});
+  flash(kind, event, nowMs) {
+    const share = kind.fullStrength ? Math.max(LEAST_SHARE, Math.min(1, event.strength / kind.fullStrength)) : 1;
+    const replaced = this.setOff(this.look?.events[kind.name], event.x, event.y, Math.PI / 2, share, kind.rgb);
+    if (kind.radius > 0 || kind.label) this.flashes.push({look: replaced ? {...kind, radius: 0} : kind, x: event.x, y: event.y, ms: nowMs});
+  }
+
+  /** Sets off what is seen of some effects; returns whether there are particles, which take the place of the usual. */
+  setOff(effects, x, y, way, share, rgb) {
+    let flies = false;
+    for (const effect of effects || []) {
+      if (effect.kind === 'PARTICLES') { this.sparks.burst(effect, x, y, way, share, rgb); flies = true; }
+      if (effect.kind === 'SHAKE') this.sparks.tremble(effect, x - this.camera.x, y - this.camera.y, share);
+    }
+    return flies;
   }
 
   emote(player, text, nowMs) { this.emotes.set(player, {text, ms: nowMs}); }
@@ -42,14 +58,27 @@ export class Picture {
     return [(x - c.x) * scale + this.canvas.clientWidth / 2, (c.y - y) * scale + this.canvas.clientHeight / 2];
   }
 
-  /** Shows the whole level if that is readable, or follows the own body up to the level's edges. */
-  look(own, seconds) {
+  /**
+   * Shows the whole level if that is readable, or follows the own body up to the level's edges, as the game's look says. `all`
+   * are the places of all players.
+   */
+  follow(own, all, seconds) {
     const [minX, minY, maxX, maxY] = this.world.match.bounds, c = this.camera;
     const width = maxX - minX + 2 * MARGIN, height = maxY - minY + 2 * MARGIN;
     const aspect = this.canvas.clientWidth / this.canvas.clientHeight, whole = Math.max(height, width / aspect);
     const readable = this.canvas.clientHeight / whole >= LEAST_PIXELS;
-    const follows = own || c.placed;
-    c.height = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, Math.max(FOLLOW_HEIGHT, FOLLOW_WIDTH / aspect));
+    const follows = own || c.placed, wanted = this.look?.camera;
+    let near = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, Math.max(FOLLOW_HEIGHT, FOLLOW_WIDTH / aspect)), zoom = 1;
+    if (follows && wanted?.all && own) {
+      const xs = all.map(p => p[0]), ys = all.map(p => p[1]), [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+      near = Math.min(whole, Math.max(wanted.height, FOLLOW_WIDTH / aspect, high - low + 2 * AROUND_ALL, (right - left + 2 * AROUND_ALL) / aspect));
+      own = [(left + right) / 2, (low + high) / 2, 0, 0, 0];
+      if (c.placed) zoom = 1 - Math.exp(-ZOOM * seconds);
+    } else if (follows && wanted?.height) {
+      near = Math.min(whole, Math.max(wanted.height, FOLLOW_WIDTH / aspect));
+    }
+    c.height += (near - c.height) * zoom;
+    if (own && wanted?.lead) own = [own[0] + own[3] * wanted.lead, own[1] + own[4] * wanted.lead];
     const midX = (minX + maxX) / 2, midY = (minY + maxY) / 2;
     const slackX = Math.max(0, (width - c.height * aspect) / 2), slackY = Math.max(0, (height - c.height) / 2);
     const clamp = (v, mid, slack) => Math.max(mid - slack, Math.min(mid + slack, v));
@@ -76,27 +105,60 @@ export class Picture {
     const shown = [...world.shown(tick)].map(body => ({body, kind: this.kinds[body.archetype], pose: world.pose(body, tick)})).filter(d => d.kind);
     const own = shown.find(d => d.body === world.own);
     this.ownPose = own?.pose;
-    this.look(own?.pose, seconds);
-    const s = height / this.camera.height;
-    this.view = [s, 0, 0, -s, width / 2 - s * this.camera.x, height / 2 + s * this.camera.y];
+    const look = this.look, players = shown.filter(d => d.kind.look === 'PLAYER' && d.body.owner >= 0 && d.body.owner < 1024);
+    this.follow(own?.pose, players.map(d => d.pose), seconds);
+    const s = height / this.camera.height, [shiftX, shiftY] = this.sparks.shift(), time = nowMs / 1000;
+    this.view = [s, 0, 0, -s, width / 2 - s * (this.camera.x + shiftX), height / 2 + s * (this.camera.y + shiftY)];
+    for (const d of shown) this.dress(d, seconds);
+    for (const e of this.ground) e.sprites = look?.spritesOf(e.kind.name);
     g.setTransform(...this.view);
-    this.backdrop(g, match);
+    this.backdrop(g, match, !look?.drawBackgrounds(g, this.camera, width / s, time));
     g.fillStyle = 'rgb(0 0 0 / .28)';
-    for (const e of this.ground) if (!e.kind.thin && !e.kind.sensor) { this.place(g, e.x + SHADOW[0], e.y + SHADOW[1], e.angle); g.fill(e.kind.path); }
-    for (const d of shown) if (!d.kind.thin && !d.kind.sensor) { this.place(g, d.pose[0] + SHADOW[0], d.pose[1] + SHADOW[1], d.pose[2]); g.fill(d.kind.path); }
-    const time = nowMs / 1000;
-    for (const e of this.ground) this.body(g, e.kind, e.kind.rgb, e.x, e.y, e.angle, time);
+    for (const e of this.ground) if (!e.kind.thin && !e.kind.sensor && !e.sprites) { this.place(g, e.x + SHADOW[0], e.y + SHADOW[1], e.angle); g.fill(e.kind.path); }
+    for (const d of shown) if (!d.kind.thin && !d.kind.sensor && !d.sprites) { this.place(g, d.pose[0] + SHADOW[0], d.pose[1] + SHADOW[1], d.pose[2]); g.fill(d.kind.path); }
+    g.globalAlpha = 0.28;
+    for (const d of shown) if (d.sprites) this.sprites(g, d, d === own ? aim : null, time, true);
+    g.globalAlpha = 1;
+    for (const e of this.ground) {
+      if (e.sprites) look.paint(g, this.place.bind(this), e.kind, e.sprites, e, null, e.kind.rgb, () => 0, null, time, false);
+      else this.body(g, e.kind, e.kind.rgb, e.x, e.y, e.angle, time);
+    }
     g.setTransform(...this.view);
-    for (const d of shown) this.streak(g, d);
+    for (const d of shown) if (!look?.trails[d.kind.name]) this.streak(g, d);
     for (const d of shown) {
+      if (d.sprites) { this.sprites(g, d, d === own ? aim : null, time, false); continue; }
       this.body(g, d.kind, this.colour(d), d.pose[0], d.pose[1], d.pose[2], time);
       if (d.kind.look === 'PLAYER') this.face(g, d, d === own, aim, time);
     }
     g.setTransform(...this.view);
     this.joints(g, shown);
     this.rings(g, nowMs);
+    this.sparks.fly(match.gravity, seconds);
+    if (look) this.sparks.draw(g, (file, rgb) => look.tinted(file, rgb));
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.labels(g, shown, own, nowMs);
+  }
+
+  /** Finds what a look has for a body: its sprites, its trail, and what a blow sets off. */
+  dress(d, seconds) {
+    const look = this.look;
+    d.sprites = look?.spritesOf(d.kind.name);
+    if (!look) return;
+    const [x, y, , vx, vy] = d.pose;
+    d.track = look.follow(d.body, d.pose, seconds);
+    const trail = look.trails[d.kind.name], blows = look.blows[d.kind.name];
+    if (trail && Math.hypot(vx, vy) > TRAIL_FROM) this.sparks.stream(trail, x, y, vx, vy, seconds, this.colour(d));
+    const blow = look.blow(d.track, d.kind.look === 'PLAYER', d.pose);
+    if (!blow || !blows) return;
+    const share = Math.max(LEAST_SHARE, Math.min(1, blow.size / HARD_BLOW)), at = [x - blow.x * d.kind.size, y - blow.y * d.kind.size];
+    this.setOff(blows, ...at, Math.atan2(blow.y, blow.x), share, d.kind.rgb);
+    this.onBlow?.(blows, ...at, share);
+  }
+
+  sprites(g, d, aim, time, silhouette) {
+    const [x, y, angle] = d.pose, move = silhouette ? SHADOW : [0, 0], owner = d.body.owner & 1023;
+    const by = value => this.look.number(this.world, value, owner, d.body.id);
+    this.look.paint(g, this.place.bind(this), d.kind, d.sprites, {x: x + move[0], y: y + move[1], angle}, d.track, this.colour(d), by, aim, time, silhouette);
   }
 
   place(g, x, y, angle) {
@@ -104,14 +166,9 @@ export class Picture {
     g.setTransform(cos, -sin, -sin, -cos, v[4] + v[0] * x, v[5] - v[0] * y);
   }
 
-  backdrop(g, match) {
+  backdrop(g, match, hasGrid) {
     const [minX, minY, maxX, maxY] = match.bounds;
-    g.lineWidth = 1 / this.view[0];
-    g.strokeStyle = shade(match.theme.grid, 1, 0.4);
-    g.beginPath();
-    for (let x = Math.ceil(minX / GRID) * GRID; x <= maxX; x += GRID) { g.moveTo(x, minY); g.lineTo(x, maxY); }
-    for (let y = Math.ceil(minY / GRID) * GRID; y <= maxY; y += GRID) { g.moveTo(minX, y); g.lineTo(maxX, y); }
-    g.stroke();
+    if (hasGrid) this.grid(g, match, minX, minY, maxX, maxY);
     g.lineWidth = EDGE;
     for (const zone of match.zones) {
       g.fillStyle = shade(zone.rgb, 1, 0.22);
@@ -119,6 +176,15 @@ export class Picture {
       g.fillRect(zone.minX, zone.minY, zone.maxX - zone.minX, zone.maxY - zone.minY);
       g.strokeRect(zone.minX, zone.minY, zone.maxX - zone.minX, zone.maxY - zone.minY);
     }
+  }
+
+  grid(g, match, minX, minY, maxX, maxY) {
+    g.lineWidth = 1 / this.view[0];
+    g.strokeStyle = shade(match.theme.grid, 1, 0.4);
+    g.beginPath();
+    for (let x = Math.ceil(minX / GRID) * GRID; x <= maxX; x += GRID) { g.moveTo(x, minY); g.lineTo(x, maxY); }
+    for (let y = Math.ceil(minY / GRID) * GRID; y <= maxY; y += GRID) { g.moveTo(minX, y); g.lineTo(maxX, y); }
+    g.stroke();
   }
 
   /** Returns a body's colour: of a player's the one chosen, unless there are teams. */

@@ -5,6 +5,7 @@ import {Thin} from './thin.js';
 import {World} from './world.js';
 import {Picture} from './picture.js';
 import {Controls} from './controls.js';
+import {Look} from './look.js';
 import {Sounds} from './sounds.js';
 import {drawQr} from './qr.js';
 import {hex} from './painter.js';
@@ -39,6 +40,7 @@ const link = new Thin({
   match: value => {
     world.begin(value, tickRate);
     picture.begin(value);
+    wear(value.game);
     room = value.room;
     if (!menuIsForced) showMenu(false);
     document.title = `${value.room} - Carom`;
@@ -78,7 +80,25 @@ const link = new Thin({
   state: text => { $('state').textContent = text; $('state').hidden = !text; },
   end,
 });
-let fresh = true, menuIsForced = true;
+let fresh = true, menuIsForced = true, worn = '';
+const usualKeys = $('keys').textContent;
+picture.onBlow = (effects, x, y, share) => sounds.effects(effects, {x, y}, share, picture.camera.x, picture.camera.y);
+
+/** Shows a game as its view declares it, as soon as that has arrived. */
+async function wear(game) {
+  if (game === worn) return;
+  worn = game;
+  take(null);
+  const look = await Look.load(game);
+  if (worn === game) take(look);
+
+  function take(newLook) {
+    picture.look = newLook;
+    sounds.use(newLook);
+    controls.use(newLook?.actions || []);
+    $('keys').textContent = newLook?.actions.length ? `${controls.words()} · Enter: chat · Esc: menu. A gamepad and glass work too.` : usualKeys;
+  }
+}
 
 /** Takes a part of the list of rooms. */
 function takeRooms(value) {
@@ -193,7 +213,7 @@ function time(ticks) {
 
 /** Writes gauges, clock and phase from the fields that the server told. */
 function showGauges() {
-  const match = world.match, top = [], bars = [];
+  const match = world.match, top = [], bars = [], lines = picture.look?.hud.length ? picture.look.hud : null;
   if (match) {
     for (const gauge of match.gauges) {
       const value = gauge.scope === 'match' ? world.field('match', 0, gauge.field) : world.field('player', match.player, gauge.field);
@@ -201,21 +221,45 @@ function showGauges() {
         match.teams.forEach((team, i) => top.push([team.rgb, `${team.name} ${world.field('match', 0, `${gauge.field}[${i + 1}]`) ?? 0}`]));
       } else if (value === undefined) continue;
       else if (gauge.kind === 'CLOCK') top.push([null, time(value - world.tick)]);
+      else if (lines) continue;
       else if (gauge.kind === 'NUMBER') top.push([null, `${gauge.label} ${value}`]);
-      else if (gauge.kind === 'BAR') bars.push([gauge.label, (value - gauge.least) / (gauge.most - gauge.least)]);
+      else if (gauge.kind === 'BAR') bars.push({id: 'bars', label: gauge.label, share: (value - gauge.least) / (gauge.most - gauge.least)});
     }
     top.push(...phase());
+    for (const line of lines || []) ownLine(line, match, top, bars);
   }
-  const text = JSON.stringify([top, bars.map(([l, v]) => [l, Math.round(v * 100)])]);
+  for (const bar of bars) if (bar.share !== undefined) bar.share = Math.round(100 * Math.max(0, Math.min(1, bar.share)));
+  const text = JSON.stringify([top, bars]);
   if (text === last) return;
   last = text;
   $('gauges').replaceChildren(...top.map(([rgb, words]) => { const made = node('span', ''); if (rgb !== null) made.append(mark(rgb)); made.append(words); return made; }));
-  $('bars').replaceChildren(...bars.map(([label, share]) => {
-    const made = node('span', ''), fill = document.createElement('b');
-    fill.style.width = `${100 * Math.max(0, Math.min(1, share))}%`;
-    made.append(fill, node('em', label));
+  for (const id of ['bars', 'barsMiddle', 'barsRight']) $(id).replaceChildren(...bars.filter(bar => bar.id === id).map(barNode));
+}
+
+/** Adds a line of the game's look: a bar, a number, a time or icons, at its place. */
+function ownLine(line, match, top, bars) {
+  const look = picture.look, body = world.own?.id ?? -1, number = look.number(world, line.value, match.player, body);
+  if (line.condition && !look.number(world, line.condition, match.player, body)) return;
+  const id = {BOTTOM: 'barsMiddle', BOTTOM_RIGHT: 'barsRight'}[line.place] || 'bars', seconds = line.value.type === 'COUNTDOWN' ? number / tickRate : number;
+  const text = `${line.label} ${line.kind === 'TIME' ? `${Math.ceil(seconds)} s` : Math.round(number)}`;
+  if (line.kind === 'BAR') bars.push({id, label: line.label, share: look.share(line.value, number), rgb: line.rgb});
+  else if (line.kind === 'ICONS') bars.push({id, icon: look.from + line.label, count: Math.max(0, Math.min(12, Math.round(number)))});
+  else if (line.place.startsWith('TOP')) top.push([null, text]);
+  else bars.push({id, text});
+}
+
+function barNode({label, share, rgb, icon, count, text}) {
+  if (text !== undefined) return node('span', text, 'plain');
+  const made = node('span', '', icon ? 'icons' : '');
+  if (icon) {
+    for (let i = 0; i < count; i++) made.append(Object.assign(new Image(), {src: icon, alt: ''}));
     return made;
-  }));
+  }
+  const fill = document.createElement('b');
+  fill.style.width = `${share}%`;
+  if (rgb >= 0) fill.style.background = hex(rgb);
+  made.append(fill, node('em', label));
+  return made;
 }
 
 /** Returns what the clock of a match says: it waits, counts down, is played, or is over. */
@@ -230,7 +274,7 @@ function phase() {
 }
 
 const controls = new Controls($('game'), {
-  left: $('moveStick'), right: $('aimStick'), buttons: [[$('main'), 'main'], [$('second'), 'second']],
+  left: $('moveStick'), right: $('aimStick'), buttons: $('buttons'),
 }, () => $('menu').hidden && $('chat').hidden && document.activeElement?.tagName !== 'INPUT', () => { $('glass').hidden = false; sounds.wake(); });
 
 function frame() {

@@ -1,4 +1,4 @@
-package carom.client.desktop.look;
+package carom.client.look;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;

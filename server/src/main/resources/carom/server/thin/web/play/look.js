@@ -1,0 +1,225 @@
+// The look that a game's view declares, from look/GAME/look.json: sprites, backgrounds, and what values they show.
+// All of it is data; docs/protocol/THIN.md has the format.
+
+import {hex} from './painter.js';
+
+const MOVES = 0.3, MOST_TINTS = 600, DOT = '';
+
+export class Look {
+  /** Returns the look of a game, or null if it has none. */
+  static async load(game) {
+    const from = `look/${encodeURIComponent(game)}/`;
+    try {
+      const answer = await fetch(`${from}look.json`);
+      return answer.status === 200 ? new Look(from, await answer.json()) : null;
+    } catch {
+      return null;
+    }
+  }
+
+  constructor(from, data) {
+    Object.assign(this, data);
+    this.from = from;
+    this.pictures = new Map();
+    this.tints = new Map();
+    this.tracks = new WeakMap();
+    this.sizes = new Map();
+    const effects = [...Object.values(this.events), ...Object.values(this.blows), Object.values(this.trails)].flat();
+    const files = [...this.sprites, ...this.backgrounds].map(s => s.file);
+    files.push(...effects.map(e => e.picture), ...this.hud.filter(h => h.kind === 'ICONS').map(h => h.label));
+    for (const file of new Set(files.filter(f => f))) {
+      const image = new Image();
+      image.src = from + file;
+      this.pictures.set(file, image);
+    }
+    this.ofKind = new Map();
+    for (const sprite of this.sprites) this.ofKind.set(sprite.archetype, [...this.ofKind.get(sprite.archetype) || [], sprite]);
+    this.soundFiles = [...new Set([...effects.flatMap(e => e.files || []), this.music].filter(f => f))];
+  }
+
+  /** Returns a picture that has arrived, or null. */
+  picture(file) {
+    const image = this.pictures.get(file);
+    return image?.complete && image.naturalWidth ? image : null;
+  }
+
+  /** Returns a picture, or a soft dot for no file, with its colours multiplied by another; null if it hasn't arrived. */
+  tinted(file, rgb) {
+    const source = file === DOT ? (this.dot ||= dot()) : this.picture(file);
+    if (!source || rgb === 0xffffff) return source;
+    const key = `${file} ${rgb}`;
+    let made = this.tints.get(key);
+    if (!made) {
+      if (this.tints.size > MOST_TINTS) this.tints.clear();
+      made = document.createElement('canvas');
+      made.width = source.naturalWidth || source.width;
+      made.height = source.naturalHeight || source.height;
+      const g = made.getContext('2d');
+      g.drawImage(source, 0, 0);
+      g.globalCompositeOperation = 'multiply';
+      g.fillStyle = hex(rgb);
+      g.fillRect(0, 0, made.width, made.height);
+      g.globalCompositeOperation = 'destination-in';
+      g.drawImage(source, 0, 0);
+      this.tints.set(key, made);
+    }
+    return made;
+  }
+
+  /** Returns the sprites of a kind whose pictures have arrived; null for none, so that its shapes show. */
+  spritesOf(name) {
+    const all = this.ofKind.get(name)?.filter(s => this.picture(s.file));
+    return all?.length ? all : null;
+  }
+
+  /** Returns what a look reads of the fields, as a number: 0 for what isn't known. */
+  number(world, value, player, body) {
+    const id = {match: 0, player, entity: body}[value.scope], told = world.field(value.scope, id, value.field);
+    if (told === undefined) return 0;
+    switch (value.type) {
+      case 'CHOICE': return Math.max(0, value.choices.indexOf(told));
+      case 'COUNTDOWN': return Math.max(0, told - world.tick);
+      default: return Number(told);
+    }
+  }
+
+  /** Returns how full a bar of a value is, 0 to 1. */
+  share(value, number) {
+    return Math.max(0, Math.min(1, value.type === 'COUNT' ? (number - value.least) / (value.most - value.least) : number));
+  }
+
+  frame(sprite, number, seconds, metres) {
+    if (!sprite.by) {
+      const shown = Math.floor(sprite.perSecond * seconds + sprite.perMetre * metres);
+      return ((shown % sprite.frames) + sprite.frames) % sprite.frames;
+    }
+    const type = sprite.by.type, chosen = type === 'COUNT' ? number - sprite.by.least : type === 'RATIO' ? number * sprite.frames : number;
+    return Math.max(0, Math.min(sprite.frames - 1, Math.floor(chosen)));
+  }
+
+  /** Returns width and height of a sprite, metres; without a size of its own it is as wide as the shapes. */
+  sizeOf(sprite, kind) {
+    if (sprite.width) return [sprite.width, sprite.height];
+    const key = `${sprite.file} ${kind.name}`;
+    if (!this.sizes.has(key)) {
+      let least = Infinity, most = -Infinity;
+      for (const [radius, ...xy] of kind.flat) {
+        for (let i = 0; i < xy.length; i += 2) { least = Math.min(least, xy[i] - radius); most = Math.max(most, xy[i] + radius); }
+      }
+      const image = this.picture(sprite.file);
+      this.sizes.set(key, [most - least, (most - least) * image.naturalHeight * sprite.frames / image.naturalWidth]);
+    }
+    return this.sizes.get(key);
+  }
+
+  /** Follows a body: how far it has gone, and where it went last. Call it once a picture. */
+  follow(body, [x, y, angle, vx, vy], seconds) {
+    let track = this.tracks.get(body);
+    if (!track) this.tracks.set(body, track = {x, y, vx, vy, fromX: vx, fromY: vy, metres: 0, way: angle, left: false, struck: false, quiet: 0});
+    track.metres += Math.hypot(x - track.x, y - track.y);
+    track.x = x;
+    track.y = y;
+    track.quiet -= seconds;
+    if (Math.hypot(vx, vy) > MOVES) {
+      track.way = Math.atan2(vy, vx);
+      if (Math.abs(vx) > MOVES) track.left = vx < 0;
+    }
+    return track;
+  }
+
+  /**
+   * Returns the blow that a body has got since the last picture, {x, y, size} m/s, or null: its velocity has changed faster
+   * than by gravity or steering.
+   */
+  blow(track, steered, [, , , vx, vy]) {
+    const sudden = Math.hypot(vx - track.vx, vy - track.vy) > (steered ? 4.3 : 1);
+    if (sudden && !track.struck) Object.assign(track, {struck: true, fromX: track.vx, fromY: track.vy});
+    let blow = null;
+    if (!sudden && track.struck) {
+      track.struck = false;
+      const x = vx - track.fromX, y = vy - track.fromY, size = Math.hypot(x, y);
+      const loss = Math.hypot(track.fromX, track.fromY) - Math.hypot(vx, vy);
+      if (size >= 3.5 && (!steered || loss >= 5) && track.quiet <= 0) {
+        track.quiet = 0.12;
+        blow = {x: x / size, y: y / size, size};
+      }
+    }
+    track.vx = vx;
+    track.vy = vy;
+    return blow;
+  }
+
+  /**
+   * Draws the sprites of a body or piece; `place(g, x, y, angle)` sets the canvas to metres there. `by(value)` reads a value,
+   * `aim` is where it aims, `silhouette` draws its shadow.
+   */
+  paint(g, place, kind, sprites, {x, y, angle}, track, rgb, by, aim, seconds, silhouette) {
+    for (const s of sprites) {
+      const [width, height] = this.sizeOf(s, kind);
+      const turned = {BODY: angle, UPRIGHT: 0, MOVE: track?.way ?? angle, AIM: aim ?? track?.way ?? angle}[s.turn];
+      const flipped = s.flips && (s.turn === 'UPRIGHT' ? !!track?.left : Math.cos(turned) < 0), mirrorX = flipped && s.turn === 'UPRIGHT', mirrorY = flipped && !mirrorX;
+      const image = this.tinted(s.file, silhouette ? 0 : s.tint ? multiply(s.rgb, rgb) : s.rgb);
+      place(g, x, y, turned);
+      if (s.tiled) { this.tile(g, kind, image, width, height); continue; }
+      const frame = this.frame(s, s.by ? by(s.by) : 0, seconds, track?.metres ?? 0), w = image.width / s.frames;
+      g.scale(mirrorX ? -1 : 1, mirrorY ? 1 : -1); // pictures have y downwards
+      g.drawImage(image, frame * w, 0, w, image.height, s.x - width / 2, -s.y - height / 2, width, height);
+    }
+  }
+
+  /** Repeats a picture over the boxes of a kind, from their upper left corners on. */
+  tile(g, kind, image, width, height) {
+    const pattern = g.createPattern(image, 'repeat');
+    for (const [, ...xy] of kind.flat) {
+      const xs = xy.filter((_, i) => i % 2 === 0), ys = xy.filter((_, i) => i % 2), left = Math.min(...xs), top = Math.max(...ys);
+      if (xs.length !== 4 || new Set(xs).size !== 2 || new Set(ys).size !== 2) continue;
+      pattern.setTransform(new DOMMatrix([width / image.width, 0, 0, -height / image.height, left, top]));
+      g.fillStyle = pattern;
+      g.fillRect(left, Math.min(...ys), Math.max(...xs) - left, top - Math.min(...ys));
+    }
+  }
+
+  /** Draws the backgrounds in metres, y up, around the camera's middle; returns false if none has arrived. */
+  drawBackgrounds(g, camera, viewWidth, seconds) {
+    let drawn = false;
+    for (const b of this.backgrounds) {
+      const image = this.picture(b.file);
+      if (!image) continue;
+      drawn = true;
+      const height = b.height, width = height * image.naturalWidth / image.naturalHeight;
+      const lagX = camera.x * (1 - b.parallax) + b.driftX * seconds, lagY = camera.y * (1 - b.parallax) + b.driftY * seconds;
+      const left = camera.x - viewWidth / 2, bottom = camera.y - camera.height / 2;
+      const stands = b.bottom !== undefined, fromY = stands ? b.bottom + lagY : lagY + Math.floor((bottom - lagY) / height) * height;
+      g.globalAlpha = b.alpha;
+      for (let y = fromY; y < bottom + camera.height; y += height) {
+        for (let x = lagX + Math.floor((left - lagX) / width) * width; x < left + viewWidth; x += width) {
+          g.save();
+          g.translate(x, y + height);
+          g.scale(1, -1);
+          g.drawImage(image, 0, 0, width * 1.002, height * (stands ? 1 : 1.002)); // so that no seam shows
+          g.restore();
+        }
+        if (stands) break;
+      }
+    }
+    g.globalAlpha = 1;
+    return drawn;
+  }
+}
+
+function multiply(a, b) {
+  let rgb = 0;
+  for (const at of [16, 8, 0]) rgb |= Math.round((a >> at & 255) * (b >> at & 255) / 255) << at;
+  return rgb;
+}
+
+function dot() {
+  const made = document.createElement('canvas'), g = (made.width = made.height = 32, made.getContext('2d'));
+  const soft = g.createRadialGradient(16, 16, 0, 16, 16, 16);
+  soft.addColorStop(0, '#ffff');
+  soft.addColorStop(0.5, '#fffb');
+  soft.addColorStop(1, '#fff0');
+  g.fillStyle = soft;
+  g.fillRect(0, 0, 32, 32);
+  return made;
+}
