@@ -79,6 +79,7 @@ final class LookWriter {
     json.writeBooleanField("all", v.camera().isFramingAll());
     json.writeEndObject();
     list("hud", v.hud(), this::line);
+    json.writeStringField("minimap", v.minimap() == null ? "" : v.minimap().name());
     json.writeStringField("music", v.music().isEmpty() ? "" : files.get(v.music()));
     json.writeEndObject();
   }
@@ -184,6 +185,12 @@ final class LookWriter {
       number("spread", p.spread());
       json.writeBooleanField("glows", p.isGlowing());
       file("picture", p.picture());
+    } else if (effect instanceof Reaction r) {
+      json.writeStringField("kind", "REACTION");
+      number("squash", r.squash());
+      number("hold", r.hold());
+      json.writeNumberField("flash", r.flashRgb());
+      number("seconds", r.seconds());
     } else if (effect instanceof Shake s) {
       json.writeStringField("kind", "SHAKE");
       number("metres", s.metres());

@@ -24,6 +24,7 @@ public final class ViewSetup {
   private final Map<String, Particles> trails = new HashMap<>();
   private final CameraSetup camera = new CameraSetup();
   private final List<HudItem> hud = new ArrayList<>();
+  private HudItem.Place minimap;
   private String music = "";
 
   /** Creates the set-up of a view that declares nothing, which is the usual look. */
@@ -115,6 +116,16 @@ public final class ViewSetup {
     for (HudItem line : lines) {
       hud.add(limited(hud.size(), line));
     }
+  }
+
+  /** Shows the whole level with its players, small, at a place, unless the picture shows it all. */
+  public void minimap(HudItem.Place place) {
+    minimap = place;
+  }
+
+  /** Returns where the minimap stands; null for none. */
+  public HudItem.Place minimap() {
+    return minimap;
   }
 
   /** Returns the lines about the own player in their order. Do not change the list. */

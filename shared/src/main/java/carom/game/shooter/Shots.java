@@ -20,6 +20,7 @@ import carom.sim.entity.Entity;
 import carom.sim.entity.EntityContactVisitor;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
+import carom.sim.outbox.Event;
 import java.util.function.Predicate;
 
 /**
@@ -57,11 +58,15 @@ final class Shots {
       Entity shot = p.spawned(i);
       if (isSpent(shot, 0)) {
         boolean hurts = touched != null && isFighter(touched);
-        s.emit(isRocket(shot) ? stage.boom : hurts ? stage.hit : stage.spark)
-            .at(shot.x(), shot.y())
-            .of(shot)
-            .by(p)
-            .strength(shot.get(FIRED_BY).damage);
+        Event end =
+            s.emit(isRocket(shot) ? stage.boom : hurts ? stage.hit : stage.spark)
+                .at(shot.x(), shot.y())
+                .of(shot)
+                .by(p)
+                .strength(shot.get(FIRED_BY).damage);
+        if (hurts) {
+          end.of(touched).with(shot);
+        }
         shot.despawn();
       }
     }

@@ -60,7 +60,13 @@ public final class RandomView implements GameView {
   }
 
   private Effect effect() {
-    return switch (random.nextInt(3)) {
+    return switch (random.nextInt(4)) {
+      case 3 ->
+          new Reaction()
+              .squash(in(0, 0.9))
+              .flash(random.nextInt())
+              .hold(in(0, 0.3))
+              .seconds(in(0.05, 3));
       case 0 -> Shake.by(in(0.01, 2)).seconds(in(0.05, 3));
       case 1 -> SoundFile.of(FILES + "boom1.wav", "missing.ogg").volume(in(0, 1));
       default -> particles(Particles.burst(1 + random.nextInt(Particles.MAX)));
@@ -116,6 +122,9 @@ public final class RandomView implements GameView {
         case 4 -> v.trail(one(THINGS), particles(Particles.stream(1 + random.nextInt(500))));
         default -> sprite(v.sprite(one(THINGS), picture()));
       }
+    }
+    if (random.nextBoolean()) {
+      v.minimap(one(List.of(HudItem.Place.values())));
     }
     for (int i = random.nextInt(9); i > 0; i--) {
       v.hud(line());

@@ -11,6 +11,7 @@ import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.look.LookHud;
 import carom.client.desktop.look.LookPainter;
+import carom.client.desktop.look.Minimap;
 import carom.client.desktop.look.ShownLook;
 import carom.client.desktop.look.Tremor;
 import carom.client.desktop.paint.Canvas;
@@ -65,6 +66,7 @@ public final class GamePicture implements Disposable {
   private final ScoreList scores;
   private final GaugePanel gauges;
   private final LookHud lines;
+  private final Minimap minimap;
   private final Pointers pointers;
   private final Aabb subject = new Aabb();
   private Labels labels = (view, hud, camera, nowNs) -> {};
@@ -89,6 +91,7 @@ public final class GamePicture implements Disposable {
     scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
     lines = lookPainter.hud(hud, canvas, fonts);
+    minimap = lookPainter.minimap(hud, canvas, colours);
     pointers = new Pointers(hud, canvas, fonts, game);
   }
 
@@ -270,6 +273,9 @@ public final class GamePicture implements Disposable {
       } else {
         parts.run("gauges", () -> gauges.draw(view));
       }
+    }
+    if (!camera.shows(view.level().bounds())) {
+      parts.run("minimap", () -> minimap.draw(view, world.scenery()));
     }
     if (!over) { // the result says the same
       parts.run("notices", () -> hud.notices(view, nowNs));

@@ -143,7 +143,7 @@ final class Impacts {
         }
       } else if (flight.struck) {
         flight.struck = false;
-        show(flight, kind, x, y, steered);
+        show(id, flight, kind, x, y, steered);
       }
     }
     flight.lastX = vx;
@@ -151,7 +151,7 @@ final class Impacts {
   }
 
   /** Shows a blow that is over, unless it is weak or follows another one closely. */
-  private void show(Flight flight, Archetype kind, float x, float y, boolean steered) {
+  private void show(int id, Flight flight, Archetype kind, float x, float y, boolean steered) {
     float dx = flight.lastX - flight.fromX;
     float dy = flight.lastY - flight.fromY;
     float blow = Vector2.len(dx, dy);
@@ -166,7 +166,7 @@ final class Impacts {
     float extent = WorldPainter.extent(kind);
     float hitX = x - nx * extent;
     float hitY = y - ny * extent;
-    boolean replaced = listener.blow(kind, hitX, hitY, nx, ny, blow);
+    boolean replaced = listener.blow(id, kind, hitX, hitY, nx, ny, blow);
     add(hitX, hitY, nx, ny, blow, replaced ? NO_SPARKS : kind.appearance().rgb());
   }
 

@@ -2,6 +2,7 @@ package carom.client.desktop.game;
 
 import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.look.LookPainter;
+import carom.client.desktop.look.Scenery;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ShapePainter;
@@ -57,9 +58,6 @@ public final class WorldPainter {
   private static final float STREAK_FULL_M_S = 20;
 
   private static final float STREAK_SECONDS = 0.11f; // of its way
-
-  /** A static body of the level. */
-  private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
 
   private final Canvas canvas;
   private final PictureParts parts;
@@ -149,7 +147,7 @@ public final class WorldPainter {
         camera,
         () -> {
           for (Scenery s : scenery) {
-            look.piece(s.archetype, s.x, s.y, MathUtils.atan2(s.sin, s.cos));
+            look.piece(s.archetype(), s.x(), s.y(), MathUtils.atan2(s.sin(), s.cos()));
           }
         });
     look.particles(camera, false);
@@ -159,19 +157,24 @@ public final class WorldPainter {
     return bodyRgb(playerRgb(drawn), drawn);
   }
 
+  /** Returns the pieces of the level that is drawn. Do not change the list. */
+  List<Scenery> scenery() {
+    return scenery;
+  }
+
   private void scenery(float seconds) {
     for (Scenery s : scenery) {
-      if (look.paints(s.archetype)) {
+      if (look.paints(s.archetype())) {
         continue;
       }
-      shapes.pose(s.x, s.y, s.cos, s.sin);
-      boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
+      shapes.pose(s.x(), s.y(), s.cos(), s.sin());
+      boolean glows = s.archetype().appearance().look() == Appearance.Look.BUMPER;
       paint(
-          s.archetype,
-          s.archetype.appearance().rgb(),
+          s.archetype(),
+          s.archetype().appearance().rgb(),
           1,
           seconds,
-          glows ? glow(s.archetype, s.x, s.y) : 0);
+          glows ? glow(s.archetype(), s.x(), s.y()) : 0);
     }
   }
 
@@ -207,8 +210,8 @@ public final class WorldPainter {
 
   private void shadows(ClientView view) {
     for (Scenery s : scenery) {
-      shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
-      shadow(s.archetype, 1);
+      shapes.pose(s.x() + SHADOW_X_M, s.y() + SHADOW_Y_M, s.cos(), s.sin());
+      shadow(s.archetype(), 1);
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
@@ -325,7 +328,7 @@ public final class WorldPainter {
 
   private void checkLook(SimulationHost still) {
     Set<String> things = new HashSet<>();
-    scenery.forEach(s -> things.add(s.archetype.name()));
+    scenery.forEach(s -> things.add(s.archetype().name()));
     for (int i = 0; i < still.archetypes().size(); i++) {
       things.add(still.archetypes().get(i).name());
     }

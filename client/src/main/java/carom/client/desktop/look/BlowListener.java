@@ -8,6 +8,7 @@ public interface BlowListener {
   /**
    * Hears of a blow.
    *
+   * @param body the id of the body in the picture
    * @param kind the body's archetype
    * @param x where, metres
    * @param y where, metres
@@ -16,5 +17,6 @@ public interface BlowListener {
    * @param blow change of its velocity, m/s
    * @return whether sparks of the listener's own take the place of the usual ones
    */
-  boolean blow(Archetype kind, float x, float y, float normalX, float normalY, float blow);
+  boolean blow(
+      int body, Archetype kind, float x, float y, float normalX, float normalY, float blow);
 }

@@ -4,12 +4,14 @@ import carom.client.EventListener;
 import carom.client.desktop.paint.UiColours;
 import carom.client.look.Effect;
 import carom.client.look.Particles;
+import carom.client.look.Reaction;
 import carom.client.look.Shake;
 import carom.client.look.SoundFile;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.sim.event.EventKind;
 import carom.sim.level.Archetype;
+import carom.sim.near.Neighbourhood;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.GL20;
@@ -38,10 +40,13 @@ public final class LookEffects implements EventListener, BlowListener {
   private final HeardEffects ears;
   private final Sparks sparks = new Sparks();
   private final Tremor tremor = new Tremor();
+  private final Reactions reactions;
   private final Color color = new Color();
   private final Color last = new Color();
+  private ClientView view; // of the last picture
 
-  LookEffects(ShownLook look, LookPictures pictures, HeardEffects ears) {
+  LookEffects(ShownLook look, LookPictures pictures, Reactions reactions, HeardEffects ears) {
+    this.reactions = reactions;
     this.look = look;
     this.pictures = pictures;
     this.ears = ears;
@@ -56,6 +61,8 @@ public final class LookEffects implements EventListener, BlowListener {
   public void clear() {
     sparks.clear();
     tremor.clear();
+    reactions.begin(look.setup());
+    view = null;
   }
 
   /** Returns whether an event's particles take the place of its ring. */
@@ -78,19 +85,31 @@ public final class LookEffects implements EventListener, BlowListener {
     float share = full == 0 ? 1 : MathUtils.clamp(event.strength() / full, LEAST, 1);
     List<Effect> effects = look.setup().event(event.kind().name());
     set(effects, event.x(), event.y(), MathUtils.HALF_PI, share, event.kind().rgb());
+    if (event.first() != Event.NONE) {
+      react(effects, Neighbourhood.id(event.first()), 0, 1, share);
+    }
   }
 
   @Override
-  public boolean blow(Archetype kind, float x, float y, float nx, float ny, float blow) {
+  public boolean blow(int body, Archetype kind, float x, float y, float nx, float ny, float blow) {
     List<Effect> effects = look.setup().blow(kind.name());
     float share = MathUtils.clamp(blow / HARD_M_S, LEAST, 1);
     set(effects, x, y, MathUtils.atan2(ny, nx), share, kind.appearance().rgb());
+    react(effects, body, nx, ny, share);
     for (int i = 0; effects != null && i < effects.size(); i++) {
       if (effects.get(i) instanceof SoundFile file) {
         ears.play(file, x, y, share);
       }
     }
     return hasParticles(effects);
+  }
+
+  private void react(List<Effect> effects, int body, float nx, float ny, float share) {
+    for (int i = 0; effects != null && view != null && i < effects.size(); i++) {
+      if (effects.get(i) instanceof Reaction) {
+        reactions.react(effects.get(i), view.find(body), nx, ny, share);
+      }
+    }
   }
 
   /** Sets off what is seen; the sounds of events are {@code EventSounds}'. */
@@ -105,7 +124,9 @@ public final class LookEffects implements EventListener, BlowListener {
   }
 
   /** Lets time pass: particles fly, and moving bodies leave their trails. */
-  public void update(ClientView view, float seconds, ToIntFunction<Drawn> bodyRgb) {
+  public void update(ClientView newView, float seconds, ToIntFunction<Drawn> bodyRgb) {
+    view = newView;
+    reactions.update(view, seconds);
     sparks.fly(view.level().gravityX(), view.level().gravityY(), seconds);
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn body = view.entity(i);

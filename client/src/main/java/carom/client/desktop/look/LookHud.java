@@ -54,7 +54,7 @@ public final class LookHud {
     }
   }
 
-  private static Spot[] spots(Place place) {
+  static Spot[] spots(Place place) {
     return switch (place) {
       case BOTTOM -> new Spot[] {Spot.BOTTOM, Spot.BOTTOM_LEFT, Spot.TOP_LEFT};
       case BOTTOM_LEFT -> new Spot[] {Spot.BOTTOM_LEFT, Spot.BOTTOM, Spot.TOP_LEFT};

@@ -1,6 +1,7 @@
 package carom.client.desktop.look;
 
 import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
@@ -38,13 +39,19 @@ public final class LookPainter implements Disposable {
     this.look = look;
     this.parts = parts;
     pictures = new LookPictures(look::tell);
-    sprites = new SpritePainter(look, pictures);
-    effects = new LookEffects(look, pictures, ears);
+    Reactions reactions = new Reactions();
+    sprites = new SpritePainter(look, pictures, reactions);
+    effects = new LookEffects(look, pictures, reactions, ears);
   }
 
   /** Returns what draws the look's lines about the own player. */
   public LookHud hud(Hud hud, Canvas canvas, Fonts fonts) {
     return new LookHud(look, pictures, hud, canvas, fonts);
+  }
+
+  /** Returns what draws the look's minimap. */
+  public Minimap minimap(Hud hud, Canvas canvas, PlayerColours colours) {
+    return new Minimap(look, hud, canvas, colours);
   }
 
   /** Begins with another look. */

@@ -30,6 +30,7 @@ final class LookPictures implements Disposable {
   private static final Logger LOG = LoggerFactory.getLogger(LookPictures.class);
 
   private final Map<String, Texture> read = new HashMap<>();
+  private final Map<String, Texture> silhouettes = new HashMap<>();
   private final Consumer<String> player;
   private Class<?> home;
   private Texture dot;
@@ -42,6 +43,8 @@ final class LookPictures implements Disposable {
   void home(Class<?> newHome) {
     read.values().forEach(picture -> dispose(picture));
     read.clear();
+    silhouettes.values().forEach(picture -> dispose(picture));
+    silhouettes.clear();
     home = newHome;
   }
 
@@ -54,15 +57,36 @@ final class LookPictures implements Disposable {
   /** Returns a picture, or null if it can't be read. */
   Texture of(String file) {
     if (!read.containsKey(file)) {
-      read.put(file, load(file));
+      read.put(file, load(file, false));
     }
     return read.get(file);
   }
 
-  private Texture load(String file) {
+  /** Returns a picture whose colours are all white, or null if it can't be read. */
+  Texture silhouette(String file) {
+    if (!silhouettes.containsKey(file)) {
+      silhouettes.put(file, of(file) == null ? null : load(file, true));
+    }
+    return silhouettes.get(file);
+  }
+
+  private static Pixmap whitened(Pixmap pixels) {
+    Pixmap white = new Pixmap(pixels.getWidth(), pixels.getHeight(), Pixmap.Format.RGBA8888);
+    white.setBlending(Pixmap.Blending.None);
+    for (int y = 0; y < pixels.getHeight(); y++) {
+      for (int x = 0; x < pixels.getWidth(); x++) {
+        white.drawPixel(x, y, 0xffffff00 | (pixels.getPixel(x, y) & 0xff));
+      }
+    }
+    pixels.dispose();
+    return white;
+  }
+
+  private Texture load(String file, boolean white) {
     try {
       byte[] bytes = LookFiles.read(home, file, MAX_BYTES);
-      Pixmap pixels = new Pixmap(bytes, 0, bytes.length);
+      Pixmap coloured = new Pixmap(bytes, 0, bytes.length);
+      Pixmap pixels = white ? whitened(coloured) : coloured;
       try {
         return texture(pixels);
       } finally {

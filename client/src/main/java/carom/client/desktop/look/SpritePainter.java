@@ -41,6 +41,7 @@ final class SpritePainter {
 
   private final ShownLook look;
   private final LookPictures pictures;
+  private final Reactions reactions;
   private final SeenEntities<Track> tracks = new SeenEntities<>(Track::new);
   private final IdentityHashMap<Archetype, List<Ready>> ready = new IdentityHashMap<>();
   private final Color color = new Color();
@@ -49,9 +50,17 @@ final class SpritePainter {
   private final Transform still = new Transform();
   private double seconds;
 
-  SpritePainter(ShownLook look, LookPictures pictures) {
+  // How what is drawn next is squeezed: by which share, around which point, along which normal.
+  private float squash;
+  private float squashX;
+  private float squashY;
+  private float normalX;
+  private float normalY;
+
+  SpritePainter(ShownLook look, LookPictures pictures, Reactions reactions) {
     this.look = look;
     this.pictures = pictures;
+    this.reactions = reactions;
   }
 
   /** Forgets what was measured, for another look or level. */
@@ -140,6 +149,10 @@ final class SpritePainter {
   void body(SpriteBatch batch, ClientView view, Drawn body, int rgb, boolean shadow) {
     List<Ready> sprites = of(body.archetype());
     Track track = tracks.see(body.id(), body.generation());
+    Reactions.Shown reaction = reactions.of(body);
+    float x = body.x() + (reaction == null ? 0 : reaction.moveX(body));
+    float y = body.y() + (reaction == null ? 0 : reaction.moveY(body));
+    squeeze(reaction, x, y);
     for (int i = 0; i < sprites.size(); i++) {
       Ready r = sprites.get(i);
       Sprite sprite = r.sprite;
@@ -155,8 +168,28 @@ final class SpritePainter {
           };
       boolean upright = sprite.turn() == Sprite.Turn.UPRIGHT;
       boolean flipped = sprite.isFlipping() && (upright ? track.left : MathUtils.cos(angle) < 0);
+      boolean mirrorX = flipped && upright;
+      boolean mirrorY = flipped && !upright;
       paint(r, rgb, body.alpha(), shadow);
-      draw(batch, r, frame, body.x(), body.y(), angle, flipped && upright, flipped && !upright);
+      draw(batch, r, r.picture, frame, x, y, angle, mirrorX, mirrorY);
+      float flash = reaction == null || shadow ? 0 : reaction.flash();
+      Texture white = flash > 0 ? pictures.silhouette(sprite.file()) : null;
+      if (white != null) {
+        UiColours.shade(reaction.flashRgb(), 1, flash * body.alpha(), color);
+        draw(batch, r, white, frame, x, y, angle, mirrorX, mirrorY);
+      }
+    }
+    squash = 0;
+  }
+
+  /** Has what is drawn next squeezed around a point, as a blow does. */
+  private void squeeze(Reactions.Shown reaction, float x, float y) {
+    squash = reaction == null ? 0 : reaction.squash();
+    if (squash != 0) {
+      squashX = x;
+      squashY = y;
+      normalX = reaction.normalX();
+      normalY = reaction.normalY();
     }
   }
 
@@ -172,7 +205,8 @@ final class SpritePainter {
           tile(batch, r, shape, x, y, angle);
         }
       } else {
-        draw(batch, r, r.sprite.frame(0, seconds, 0), x, y, angle, false, false);
+        int frame = r.sprite.frame(0, seconds, 0);
+        draw(batch, r, r.picture, frame, x, y, angle, false, false);
       }
     }
   }
@@ -194,6 +228,7 @@ final class SpritePainter {
   private void draw(
       SpriteBatch batch,
       Ready r,
+      Texture picture,
       int frame,
       float x,
       float y,
@@ -208,7 +243,7 @@ final class SpritePainter {
     float u2 = (frame + 1f) / r.sprite.frames();
     box(
         batch,
-        r.picture,
+        picture,
         x + cos * ox - sin * oy,
         y + sin * ox + cos * oy,
         cos,
@@ -271,6 +306,16 @@ final class SpritePainter {
       quad[at + 2] = bits;
       quad[at + 3] = right ? u2 : u;
       quad[at + 4] = top ? v2 : v;
+      if (squash != 0) {
+        float dx = quad[at] - squashX;
+        float dy = quad[at + 1] - squashY;
+        float along = normalX * dx + normalY * dy;
+        // Along the blow it is shorter, across it longer: it keeps its size.
+        float wider = 1 / (1 - squash);
+        float less = (1 - squash - wider) * along;
+        quad[at] = squashX + wider * dx + less * normalX;
+        quad[at + 1] = squashY + wider * dy + less * normalY;
+      }
     }
     batch.draw(picture, quad, 0, VERTICES);
   }

@@ -97,6 +97,12 @@ public final class ViewCamera {
     camera.update();
   }
 
+  /** Returns whether all of a level is in the picture. */
+  public boolean shows(Level.Bounds bounds) {
+    return bounds.maxX() - bounds.minX() <= camera.viewportWidth
+        && bounds.maxY() - bounds.minY() <= camera.viewportHeight;
+  }
+
   /** Returns the height to show while a player is followed, metres. */
   private float near(float whole, float levelHeight, Aabb subject, float aspect) {
     float least = setup.height();

@@ -4,6 +4,7 @@ import carom.client.look.Action;
 import carom.client.look.GameView;
 import carom.client.look.HudItem;
 import carom.client.look.Particles;
+import carom.client.look.Reaction;
 import carom.client.look.Shake;
 import carom.client.look.SoundFile;
 import carom.client.look.Sprite;
@@ -85,8 +86,12 @@ public final class RocketsView implements GameView {
     v.event("shot", SoundFile.of("shot1.wav", "shot2.wav").volume(0.7f), Shake.by(0.05f), FLASH);
     v.event(
         "boom", SoundFile.of("boom1.wav", "boom2.wav"), Shake.by(0.35f), SMOULDER, FIRE, SPARKS);
-    v.blow("player", SoundFile.of("knock.wav").volume(0.6f));
+    v.blow(
+        "player",
+        new Reaction().squash(0.25f).flash(0xffffff),
+        SoundFile.of("knock.wav").volume(0.6f));
     v.hud(HudItem.bar("hull", RocketGame.HEALTH));
     v.camera().lead(0.25f);
+    v.minimap(HudItem.Place.BOTTOM_RIGHT);
   }
 }

@@ -4,6 +4,7 @@ import carom.client.look.Action;
 import carom.client.look.GameView;
 import carom.client.look.HudItem;
 import carom.client.look.Particles;
+import carom.client.look.Reaction;
 import carom.client.look.Shake;
 import carom.client.look.SoundFile;
 import carom.client.look.Sprite;
@@ -123,7 +124,7 @@ public final class ShooterView implements GameView {
       v.sprite("torso." + i, "torso.png").size(0.56f, 0.72f).tint();
       v.sprite("arm." + i, "limb.png").size(0.26f, 0.6f).tint();
       v.sprite("leg." + i, "limb.png").size(0.3f, 0.68f).tint();
-      v.blow(player, SoundFile.of("hit.wav").volume(0.25f));
+      v.blow(player, new Reaction().squash(0.3f), SoundFile.of("hit.wav").volume(0.25f));
     }
     v.sprite("bullet", "bullet.png").size(0.9f, 0.28f).at(-0.3f, 0).turn(Sprite.Turn.MOVE);
     v.sprite("rocket", ROCKETS + "rocket.png")
@@ -139,7 +140,12 @@ public final class ShooterView implements GameView {
     v.event("jump", SoundFile.of("jump.wav").volume(0.35f), DUST);
     v.event("shot", SoundFile.of("gun1.wav", "gun2.wav").volume(0.7f), Shake.by(0.06f), FLASH);
     v.event("spark", SoundFile.of("spark.wav").volume(0.4f), SPARKS);
-    v.event("hit", SoundFile.of("hit.wav"), Shake.by(0.1f), STARS);
+    v.event(
+        "hit",
+        SoundFile.of("hit.wav"),
+        Shake.by(0.1f),
+        STARS,
+        new Reaction().flash(0xffffff).hold(0.05f).seconds(0.2f));
     v.event(
         "boom",
         SoundFile.of(ROCKETS + "boom1.wav", ROCKETS + "boom2.wav"),

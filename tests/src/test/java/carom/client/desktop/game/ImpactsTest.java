@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 final class ImpactsTest {
   private static final float FRAME = 1 / 60f;
 
-  private final Impacts impacts = new Impacts((kind, x, y, nx, ny, blow) -> false);
+  private final Impacts impacts = new Impacts((id, kind, x, y, nx, ny, blow) -> false);
   private Archetype ball;
   private Archetype player;
   private int instance = 1;

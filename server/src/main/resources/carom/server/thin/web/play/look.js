@@ -3,7 +3,7 @@
 
 import {hex} from './painter.js';
 
-const MOVES = 0.3, MOST_TINTS = 600, DOT = '';
+const CATCH_UP_S = 0.1, MOST_HELD = 2, SPRINGS = 1.5, FADE = 4, MOVES = 0.3, MOST_TINTS = 600, DOT = '';
 
 export class Look {
   /** Returns the look of a game, or null if it has none. */
@@ -43,11 +43,11 @@ export class Look {
     return image?.complete && image.naturalWidth ? image : null;
   }
 
-  /** Returns a picture, or a soft dot for no file, with its colours multiplied by another; null if it hasn't arrived. */
-  tinted(file, rgb) {
+  /** Returns a picture, or a soft dot for no file, multiplied by a colour, or all of it if `solid`; null if it hasn't arrived. */
+  tinted(file, rgb, solid = false) {
     const source = file === DOT ? (this.dot ||= dot()) : this.picture(file);
-    if (!source || rgb === 0xffffff) return source;
-    const key = `${file} ${rgb}`;
+    if (!source || rgb === 0xffffff && !solid) return source;
+    const key = `${file} ${rgb} ${solid}`;
     let made = this.tints.get(key);
     if (!made) {
       if (this.tints.size > MOST_TINTS) this.tints.clear();
@@ -56,7 +56,7 @@ export class Look {
       made.height = source.naturalHeight || source.height;
       const g = made.getContext('2d');
       g.drawImage(source, 0, 0);
-      g.globalCompositeOperation = 'multiply';
+      g.globalCompositeOperation = solid ? 'source-in' : 'multiply';
       g.fillStyle = hex(rgb);
       g.fillRect(0, 0, made.width, made.height);
       g.globalCompositeOperation = 'destination-in';
@@ -120,6 +120,7 @@ export class Look {
     track.x = x;
     track.y = y;
     track.quiet -= seconds;
+    if (track.reaction) track.reaction.age += seconds;
     if (Math.hypot(vx, vy) > MOVES) {
       track.way = Math.atan2(vy, vx);
       if (Math.abs(vx) > MOVES) track.left = vx < 0;
@@ -149,21 +150,51 @@ export class Look {
     return blow;
   }
 
+  /** Lets a body react to a blow along (nx, ny): squeezed, lit up, held for a moment. */
+  react(effects, body, nx, ny, share) {
+    const of = (effects || []).find(e => e.kind === 'REACTION'), track = body && this.tracks.get(body);
+    if (of && track) track.reaction = {of, share, nx, ny, x: track.x, y: track.y, age: 0};
+  }
+
+  /** Returns how a body is drawn by its reaction: moved, squeezed along a normal, lit up. */
+  reactionOf(track, x, y) {
+    const r = track?.reaction, none = {dx: 0, dy: 0, squash: 0, flash: 0};
+    if (!r) return none;
+    const over = r.age / r.of.seconds, back = r.of.hold ? Math.max(0, Math.min(1, 1 - (r.age - r.of.hold) / CATCH_UP_S)) : 0;
+    if (over >= 1 && !back) { track.reaction = null; return none; }
+    const near = v => Math.max(-MOST_HELD, Math.min(MOST_HELD, v));
+    return {
+      dx: back * near(r.x - x), dy: back * near(r.y - y), nx: r.nx, ny: r.ny, rgb: r.of.flash,
+      squash: over < 1 ? r.of.squash * r.share * Math.exp(-FADE * over) * Math.cos(2 * Math.PI * SPRINGS * over) : 0,
+      flash: r.of.flash < 0 ? 0 : Math.max(0, 1 - over),
+    };
+  }
+
   /**
    * Draws the sprites of a body or piece; `place(g, x, y, angle)` sets the canvas to metres there. `by(value)` reads a value,
    * `aim` is where it aims, `silhouette` draws its shadow.
    */
   paint(g, place, kind, sprites, {x, y, angle}, track, rgb, by, aim, seconds, silhouette) {
+    const r = this.reactionOf(track, x, y), wider = 1 / (1 - r.squash), less = 1 - r.squash - wider;
     for (const s of sprites) {
       const [width, height] = this.sizeOf(s, kind);
       const turned = {BODY: angle, UPRIGHT: 0, MOVE: track?.way ?? angle, AIM: aim ?? track?.way ?? angle}[s.turn];
       const flipped = s.flips && (s.turn === 'UPRIGHT' ? !!track?.left : Math.cos(turned) < 0), mirrorX = flipped && s.turn === 'UPRIGHT', mirrorY = flipped && !mirrorX;
       const image = this.tinted(s.file, silhouette ? 0 : s.tint ? multiply(s.rgb, rgb) : s.rgb);
-      place(g, x, y, turned);
+      place(g, x + r.dx, y + r.dy, turned);
+      if (r.squash) {
+        const nx = r.nx * Math.cos(turned) + r.ny * Math.sin(turned), ny = r.ny * Math.cos(turned) - r.nx * Math.sin(turned);
+        g.transform(wider + less * nx * nx, less * nx * ny, less * nx * ny, wider + less * ny * ny, 0, 0);
+      }
       if (s.tiled) { this.tile(g, kind, image, width, height); continue; }
       const frame = this.frame(s, s.by ? by(s.by) : 0, seconds, track?.metres ?? 0), w = image.width / s.frames;
       g.scale(mirrorX ? -1 : 1, mirrorY ? 1 : -1); // pictures have y downwards
       g.drawImage(image, frame * w, 0, w, image.height, s.x - width / 2, -s.y - height / 2, width, height);
+      if (r.flash && !silhouette) {
+        g.globalAlpha = r.flash;
+        g.drawImage(this.tinted(s.file, r.rgb, true), frame * w, 0, w, image.height, s.x - width / 2, -s.y - height / 2, width, height);
+        g.globalAlpha = 1;
+      }
     }
   }
 

@@ -4,7 +4,7 @@ import {Sparks} from './sparks.js';
 import {EDGE, details, extent, eyes, hex, outline, shade} from './painter.js';
 
 const GRID = 2, SHADOW = [0.1, -0.14], RING_S = 0.45, LABEL_S = 1.1, RISE = 1.6, FOLLOW = 6, EMOTE_MS = 2500;
-const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, AROUND_ALL = 4, ZOOM = 2.5, HARD_BLOW = 20, LEAST_SHARE = 0.2, TRAIL_FROM = 0.5, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, AROUND_ALL = 4, ZOOM = 2.5, HARD_BLOW = 20, LEAST_SHARE = 0.2, TRAIL_FROM = 0.5, MINIMAP = 190, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
 
 export class Picture {
   constructor(canvas, world) {
@@ -33,6 +33,7 @@ export class Picture {
   flash(kind, event, nowMs) {
     const share = kind.fullStrength ? Math.max(LEAST_SHARE, Math.min(1, event.strength / kind.fullStrength)) : 1;
     const replaced = this.setOff(this.look?.events[kind.name], event.x, event.y, Math.PI / 2, share, kind.rgb);
+    this.look?.react(this.look.events[kind.name], this.world.bodies.get(event.first), 0, 1, share);
     if (kind.radius > 0 || kind.label) this.flashes.push({look: replaced ? {...kind, radius: 0} : kind, x: event.x, y: event.y, ms: nowMs});
   }
 
@@ -106,6 +107,7 @@ export class Picture {
     const own = shown.find(d => d.body === world.own);
     this.ownPose = own?.pose;
     const look = this.look, players = shown.filter(d => d.kind.look === 'PLAYER' && d.body.owner >= 0 && d.body.owner < 1024);
+    this.players = players;
     this.follow(own?.pose, players.map(d => d.pose), seconds);
     const s = height / this.camera.height, [shiftX, shiftY] = this.sparks.shift(), time = nowMs / 1000;
     this.view = [s, 0, 0, -s, width / 2 - s * (this.camera.x + shiftX), height / 2 + s * (this.camera.y + shiftY)];
@@ -139,6 +141,37 @@ export class Picture {
     this.labels(g, shown, own, nowMs);
   }
 
+  /** Returns whether all of the level is in the picture. */
+  showsAll() {
+    const [minX, minY, maxX, maxY] = this.world.match.bounds, c = this.camera;
+    return maxY - minY <= c.height && maxX - minX <= c.height * this.canvas.clientWidth / this.canvas.clientHeight;
+  }
+
+  /** Draws the whole level with its players on another canvas, small. */
+  drawMinimap(canvas) {
+    const [minX, minY, maxX, maxY] = this.world.match.bounds, scale = MINIMAP / Math.max(maxX - minX, maxY - minY);
+    const width = Math.round(scale * (maxX - minX)), height = Math.round(scale * (maxY - minY)), g = canvas.getContext('2d');
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+    g.setTransform(1, 0, 0, 1, 0, 0);
+    g.clearRect(0, 0, width, height);
+    for (const e of this.ground) {
+      if (e.kind.sensor) continue;
+      const cos = scale * Math.cos(e.angle), sin = scale * Math.sin(e.angle);
+      g.setTransform(cos, -sin, -sin, -cos, scale * (e.x - minX), scale * (maxY - e.y));
+      g.fillStyle = g.strokeStyle = hex(e.kind.rgb);
+      g.lineWidth = 1.5 / scale;
+      g[e.kind.thin ? 'stroke' : 'fill'](e.kind.path);
+    }
+    g.setTransform(1, 0, 0, 1, 0, 0);
+    for (const d of this.players || []) {
+      const own = d.body === this.world.own;
+      for (const [radius, colour] of own ? [[4.5, '#fff'], [3, hex(this.colour(d))]] : [[3, hex(this.colour(d))]]) {
+        g.fillStyle = colour;
+        g.beginPath(); g.arc(scale * (d.pose[0] - minX), scale * (maxY - d.pose[1]), radius, 0, 7); g.fill();
+      }
+    }
+  }
+
   /** Finds what a look has for a body: its sprites, its trail, and what a blow sets off. */
   dress(d, seconds) {
     const look = this.look;
@@ -152,6 +185,7 @@ export class Picture {
     if (!blow || !blows) return;
     const share = Math.max(LEAST_SHARE, Math.min(1, blow.size / HARD_BLOW)), at = [x - blow.x * d.kind.size, y - blow.y * d.kind.size];
     this.setOff(blows, ...at, Math.atan2(blow.y, blow.x), share, d.kind.rgb);
+    look.react(blows, d.body, blow.x, blow.y, share);
     this.onBlow?.(blows, ...at, share);
   }
 

@@ -290,6 +290,9 @@ function frame() {
     link.input(...input);
   }
   picture.draw(world.shownTick(nowMs), nowMs, seconds, controls.aim);
+  const place = world.match && !picture.showsAll() && picture.look?.minimap;
+  $('minimap').hidden = !place;
+  if (place) { $('minimap').className = place; picture.drawMinimap($('minimap')); }
   showGauges();
 }
 let lastInput = '';

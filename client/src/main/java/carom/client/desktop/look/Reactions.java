@@ -1,0 +1,136 @@
+package carom.client.desktop.look;
+
+import carom.client.look.Effect;
+import carom.client.look.Reaction;
+import carom.client.look.ViewSetup;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
+import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Vector2;
+
+/** What struck bodies show of their blows, see {@link Reaction}. Render thread only. */
+final class Reactions {
+  /** Time in which a body that was held catches up, seconds. */
+  private static final float CATCH_UP_SECONDS = 0.1f;
+
+  /** Farthest from its place that a body is held, metres. */
+  private static final float MAX_HELD_M = 2;
+
+  /** Number of times that a squeezed body springs. */
+  private static final float SPRINGS = 1.5f;
+
+  private static final float FADE = 4;
+
+  /** What one body shows. */
+  static final class Shown extends SeenEntities.Seen {
+    private Reaction reaction;
+    private float share;
+    private float age;
+    private float normalX;
+    private float normalY;
+    private float heldX;
+    private float heldY;
+
+    /**
+     * Returns how far along the blow it is squeezed now, a share of its size; below 0 stretched.
+     */
+    float squash() {
+      if (reaction == null || age >= reaction.seconds()) {
+        return 0;
+      }
+      float over = age / reaction.seconds();
+      double spring = Math.exp(-FADE * over) * Math.cos(MathUtils.PI2 * SPRINGS * over);
+      return (float) (reaction.squash() * share * spring);
+    }
+
+    /** Returns how bright it is lit up now, 0..1. */
+    float flash() {
+      return reaction == null || reaction.flashRgb() < 0
+          ? 0
+          : Math.max(0, 1 - age / reaction.seconds());
+    }
+
+    /** Returns the colour in which it is lit up, 0xRRGGBB. */
+    int flashRgb() {
+      return reaction.flashRgb();
+    }
+
+    /** Returns the part of the way back to where it was struck by which it is drawn there, 0..1. */
+    private float back() {
+      float late = reaction == null ? CATCH_UP_SECONDS : age - reaction.hold();
+      return reaction == null || reaction.hold() == 0
+          ? 0
+          : MathUtils.clamp(1 - late / CATCH_UP_SECONDS, 0, 1);
+    }
+
+    /** Returns how far from its place it is drawn, metres. */
+    float moveX(Drawn body) {
+      return back() * MathUtils.clamp(heldX - body.x(), -MAX_HELD_M, MAX_HELD_M);
+    }
+
+    /** Returns how far from its place it is drawn, metres. */
+    float moveY(Drawn body) {
+      return back() * MathUtils.clamp(heldY - body.y(), -MAX_HELD_M, MAX_HELD_M);
+    }
+
+    float normalX() {
+      return normalX;
+    }
+
+    float normalY() {
+      return normalY;
+    }
+  }
+
+  private final SeenEntities<Shown> bodies = new SeenEntities<>(Shown::new);
+  private boolean any;
+
+  /** Forgets all, for another look or level. */
+  void begin(ViewSetup setup) {
+    bodies.clear();
+    any = setup.effects().stream().anyMatch(Reaction.class::isInstance);
+  }
+
+  /** Lets time pass; call it once per picture. */
+  void update(ClientView view, float seconds) {
+    if (!any) {
+      return;
+    }
+    bodies.nextFrame();
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn body = view.entity(i);
+      Shown shown = of(body);
+      if (shown.isNew()) {
+        shown.reaction = null;
+      }
+      shown.age += seconds;
+    }
+  }
+
+  /** Returns what a body shows; null if the look has no reactions. */
+  Shown of(Drawn body) {
+    return any ? bodies.see(body.id(), body.generation()) : null;
+  }
+
+  /**
+   * Lets a body react.
+   *
+   * @param normalX unit vector along which it was pushed
+   * @param normalY unit vector along which it was pushed
+   * @param share how hard, 0..1
+   */
+  void react(Effect effect, Drawn body, float normalX, float normalY, float share) {
+    Shown shown = body == null ? null : of(body);
+    if (shown == null || !(effect instanceof Reaction reaction)) {
+      return;
+    }
+    boolean unit = Vector2.len2(normalX, normalY) > 0.5f;
+    shown.reaction = reaction;
+    shown.share = share;
+    shown.age = 0;
+    shown.normalX = unit ? normalX : 0;
+    shown.normalY = unit ? normalY : 1;
+    shown.heldX = body.x();
+    shown.heldY = body.y();
+  }
+}
