@@ -25,6 +25,7 @@ public final class ViewSetup {
   private final CameraSetup camera = new CameraSetup();
   private final List<HudItem> hud = new ArrayList<>();
   private HudItem.Place minimap;
+  private HudPainter painter;
   private String music = "";
 
   /** Creates the set-up of a view that declares nothing, which is the usual look. */
@@ -121,6 +122,16 @@ public final class ViewSetup {
   /** Shows the whole level with its players, small, at a place, unless the picture shows it all. */
   public void minimap(HudItem.Place place) {
     minimap = place;
+  }
+
+  /** Sets what draws over each picture of the window. Browsers don't have it. */
+  public void paint(HudPainter over) {
+    painter = over;
+  }
+
+  /** Returns what draws over each picture; null for nothing. */
+  public HudPainter painter() {
+    return painter;
   }
 
   /** Returns where the minimap stands; null for none. */

@@ -124,6 +124,19 @@ public final class RandomView implements GameView {
       }
     }
     if (random.nextBoolean()) {
+      String file = picture();
+      float at = in(-50, 900);
+      v.paint(
+          (canvas, view) -> {
+            canvas.rect(at, at, 40, 20, 0x334455, 0.5f);
+            canvas.text(view.game(), at, canvas.height() - at, 0xffffff);
+            canvas.line(0, 0, canvas.screenX(at, 3), canvas.screenY(at, 3), 2, 0xff0000, 1);
+            canvas.picture(file, canvas.width() - at, at, 64, 32);
+            canvas.title("" + view.tick(), at, at, 0x00ff00);
+            canvas.disc(at, at, canvas.titleWidth("12") + canvas.textWidth("x"), 0xff, 0.3f);
+          });
+    }
+    if (random.nextBoolean()) {
       v.minimap(one(List.of(HudItem.Place.values())));
     }
     for (int i = random.nextInt(9); i > 0; i--) {

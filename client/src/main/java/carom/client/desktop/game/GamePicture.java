@@ -9,6 +9,7 @@ import carom.client.desktop.hud.Pointers;
 import carom.client.desktop.hud.ScoreBoard;
 import carom.client.desktop.hud.ScoreList;
 import carom.client.desktop.hud.ShownGame;
+import carom.client.desktop.look.LookCanvas;
 import carom.client.desktop.look.LookHud;
 import carom.client.desktop.look.LookPainter;
 import carom.client.desktop.look.Minimap;
@@ -67,6 +68,7 @@ public final class GamePicture implements Disposable {
   private final GaugePanel gauges;
   private final LookHud lines;
   private final Minimap minimap;
+  private final LookCanvas lookCanvas;
   private final Pointers pointers;
   private final Aabb subject = new Aabb();
   private Labels labels = (view, hud, camera, nowNs) -> {};
@@ -91,6 +93,7 @@ public final class GamePicture implements Disposable {
     scores = new ScoreList(hud, canvas, fonts, game, colours);
     gauges = new GaugePanel(hud, canvas, fonts, game);
     lines = lookPainter.hud(hud, canvas, fonts);
+    lookCanvas = lookPainter.canvas(hud, canvas, fonts);
     minimap = lookPainter.minimap(hud, canvas, colours);
     pointers = new Pointers(hud, canvas, fonts, game);
   }
@@ -240,6 +243,7 @@ public final class GamePicture implements Disposable {
     parts.run("emotes", () -> labels.draw(view, hud, camera, nowNs));
     parts.run("pointers", () -> pointers.draw(view, camera));
     parts.run("names", () -> hud.names(view, camera, pixelsPerMetre));
+    parts.run("the look's own lines", () -> lookCanvas.draw(view, camera));
     if (showPanels) {
       panels(view, table, nowNs);
     }

@@ -49,6 +49,11 @@ public final class LookPainter implements Disposable {
     return new LookHud(look, pictures, hud, canvas, fonts);
   }
 
+  /** Returns what lets the look's painter draw over the picture. */
+  public LookCanvas canvas(Hud hud, Canvas canvas, Fonts fonts) {
+    return new LookCanvas(look, pictures, hud, canvas, fonts);
+  }
+
   /** Returns what draws the look's minimap. */
   public Minimap minimap(Hud hud, Canvas canvas, PlayerColours colours) {
     return new Minimap(look, hud, canvas, colours);
