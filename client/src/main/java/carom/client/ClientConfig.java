@@ -3,10 +3,13 @@ package carom.client;
 import carom.client.link.ServerAddress;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
+import carom.net.seal.PlayerKey;
 import carom.options.Rows;
 import carom.options.Setting;
 import carom.options.Settings;
 import carom.options.Sockets;
+import java.io.IOException;
+import java.nio.file.Path;
 
 /**
  * The settings of a {@link GameClient}: a row for each, and a value for each row. Immutable; start
@@ -42,6 +45,13 @@ public final class ClientConfig extends Settings<ClientConfig> {
       FLAGS
           .text("token", "TOKEN", 0, ProtocolLimits.MAX_TOKEN_BYTES, "")
           .text("Join token from the server's site, for servers that demand one (none).");
+
+  public static final Setting<PlayerKey> KEY =
+      FLAGS
+          .of("key", "FILE", ClientConfig::key, null)
+          .text(
+              "File with a key of your own, by which servers know you again; made if it isn't there"
+                  + " (none; the window has player.key beside its settings).");
 
   public static final Setting<Boolean> DEV =
       FLAGS
@@ -120,5 +130,13 @@ public final class ClientConfig extends Settings<ClientConfig> {
   @Override
   public String toString() {
     return "ClientConfig[server=" + get(SERVER) + ", name=" + get(NAME) + "]";
+  }
+
+  private static PlayerKey key(String file) {
+    try {
+      return PlayerKey.load(Path.of(file));
+    } catch (IOException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
   }
 }

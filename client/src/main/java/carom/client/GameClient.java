@@ -142,6 +142,7 @@ public final class GameClient implements AutoCloseable {
             config.get(ClientConfig.ROOM),
             config.get(ClientConfig.GAME),
             config.get(ClientConfig.TOKEN),
+            config.get(ClientConfig.KEY),
             config.get(ClientConfig.PASSWORD),
             config.get(ClientConfig.RECONNECT),
             transport,

@@ -8,6 +8,7 @@ import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.access.EntryRule;
 import carom.server.access.GamePassword;
+import carom.server.account.AccountService;
 import carom.server.checkpoint.SlotDisk;
 import carom.server.command.RoomKeeper;
 import carom.server.config.RoomConfig;
@@ -364,6 +365,20 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   public void fleet(FleetDoor door) {
     mayBeEmpty = true;
     directory.fleet(door);
+  }
+
+  /**
+   * Sets what keeps accounts; before {@link #checkpoint}.
+   *
+   * @param service the server's from now on
+   */
+  public void accounts(AccountService service) {
+    directory.accounts(service);
+  }
+
+  /** Returns what keeps accounts, or null if nothing does. */
+  public AccountService accounts() {
+    return directory.accounts();
   }
 
   /** Sets what runs commands in the chat; without it a line with a slash is ordinary chat. */
@@ -853,6 +868,10 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
       helpers.close();
     }
     disk.close();
+    rooms.forEach(Room::letAccountsGo);
+    if (directory.accounts() != null) {
+      directory.accounts().close();
+    }
     if (checkpointLock != null) {
       checkpointLock.close();
     }

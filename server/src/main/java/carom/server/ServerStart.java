@@ -19,6 +19,8 @@ import carom.server.access.AddressRange;
 import carom.server.access.GamePassword;
 import carom.server.access.LoginThrottle;
 import carom.server.access.Secret;
+import carom.server.account.AccountService;
+import carom.server.account.jdbc.JdbcAccounts;
 import carom.server.agones.AgonesService;
 import carom.server.agones.GameServer;
 import carom.server.config.RoomConfig;
@@ -130,6 +132,7 @@ final class ServerStart {
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
       demandPassword();
+      remember();
       keep();
       record();
       show();
@@ -346,6 +349,30 @@ final class ServerStart {
       log.info("password: players must know what is in {}", flags.get(ServerConfig.PASSWORD_FILE));
     } catch (IOException e) {
       throw new StartFailure("--password-file: " + e.getMessage(), e);
+    }
+  }
+
+  /** Sets what keeps accounts. The store is asked when the first player with an account comes. */
+  private void remember() throws StartFailure {
+    String store = config.get(ServerConfig.STORE);
+    if (store.equals(ServerConfig.NO_STORE)) {
+      return;
+    }
+    try {
+      boolean own = store.equals(ServerConfig.STORE.initial());
+      JdbcAccounts accounts =
+          own ? JdbcAccounts.file(flags.dataFolder().accounts()) : JdbcAccounts.postgres(store);
+      if (own && FleetFlags.isFleet(config)) {
+        log.warn(
+            "accounts: each server of the fleet keeps its own in its data folder; --store"
+                + " postgresql://... keeps them together");
+      }
+      log.info("accounts: kept in {}", accounts.title());
+      AccountService service = new AccountService(accounts, System::nanoTime);
+      server.accounts(service);
+      service.start();
+    } catch (IOException e) {
+      throw flags.bad(e.getMessage());
     }
   }
 

@@ -23,7 +23,7 @@ public enum Block {
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
   /** Version of the file format. Every change of the format raises it. */
-  static final int VERSION = 4;
+  static final int VERSION = 5;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;
@@ -48,6 +48,7 @@ public enum Block {
   static final int MESSAGE = 5;
   static final int WATCH = 6;
   static final int ROLE = 7;
+  static final int ACCOUNT = 8;
 
   private static final Block[] ALL = values();
 

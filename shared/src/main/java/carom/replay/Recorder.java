@@ -6,6 +6,7 @@ import carom.sim.SimState;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Newcomer;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind.Direction;
 import carom.sim.message.MessageKinds;
@@ -166,25 +167,31 @@ public final class Recorder implements Journal {
   }
 
   @Override
-  public void joining(SimulationHost s, int id, String name) {
-    if (stopped) {
-      return;
-    }
-    out.u8(Block.JOIN);
-    out.varint(id);
-    out.text(name);
-    inputs[id] = 0;
-    viewDelays[id] = 0;
+  public void joining(SimulationHost s, int id, Newcomer newcomer) {
+    enters(Block.JOIN, id, newcomer);
   }
 
   @Override
-  public void watching(SimulationHost s, int id, String name) {
+  public void watching(SimulationHost s, int id, Newcomer newcomer) {
+    enters(Block.WATCH, id, newcomer);
+  }
+
+  private void enters(int how, int id, Newcomer newcomer) {
     if (stopped) {
       return;
     }
-    out.u8(Block.WATCH);
+    int[] values = newcomer.values();
+    if (!newcomer.account().isEmpty() || values != null) {
+      out.u8(Block.ACCOUNT);
+      out.text(newcomer.account());
+      out.varint(values == null ? 0 : values.length);
+      for (int i = 0; values != null && i < values.length; i++) {
+        out.varint(zigzag(values[i]));
+      }
+    }
+    out.u8(how);
     out.varint(id);
-    out.text(name);
+    out.text(newcomer.name());
     inputs[id] = 0;
     viewDelays[id] = 0;
   }

@@ -3,6 +3,8 @@ package carom.replay;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Newcomer;
+import carom.sim.field.Scope;
 import carom.sim.message.MessageKind;
 import carom.sim.message.PlayerRole;
 import java.io.IOException;
@@ -32,9 +34,9 @@ public final class RecordingReader implements AutoCloseable {
 
   /** An event in a recording. */
   public enum Entry {
-    /** The player {@link #playerId} with the name {@link #playerName} joins. */
+    /** The player {@link #playerId}, who is {@link #newcomer}, joins. */
     JOIN,
-    /** The spectator {@link #playerId} with the name {@link #playerName} comes. */
+    /** The spectator {@link #playerId}, who is {@link #newcomer}, comes. */
     WATCH,
     /** The participant {@link #playerId} gets the role {@link #role}. */
     ROLE,
@@ -90,7 +92,7 @@ public final class RecordingReader implements AutoCloseable {
 
   private final RecordingHeader header;
   private int playerId;
-  private String playerName = "";
+  private Newcomer newcomer = Newcomer.stranger("");
   private PlayerRole role;
   private byte[] message = {};
   private final long[] inputs = new long[SimulationHost.MAX_PLAYERS];
@@ -248,11 +250,19 @@ public final class RecordingReader implements AutoCloseable {
     int tag = block.u8();
     switch (tag) {
       case Block.JOIN, Block.WATCH:
-        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
-        playerName = block.text("player name", MAX_NAME_BYTES);
-        inputs[playerId] = 0;
-        viewDelays[playerId] = 0;
-        return tag == Block.JOIN ? Entry.JOIN : Entry.WATCH;
+        return readNewcomer(tag, "", null);
+      case Block.ACCOUNT:
+        String account = block.text("account", 4 * Newcomer.MAX_ACCOUNT);
+        if (account.length() > Newcomer.MAX_ACCOUNT) {
+          throw new RecordingException("damaged: an account of characters=" + account.length());
+        }
+        int count = block.varint("values of an account", 0, Scope.ACCOUNT.mostWords());
+        int[] lasting = count == 0 ? null : new int[count];
+        for (int i = 0; i < count; i++) {
+          long value = block.varint();
+          lasting[i] = (int) (value >>> 1) ^ -((int) value & 1);
+        }
+        return readNewcomer(block.u8(), account, lasting);
       case Block.ROLE:
         playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         role = PlayerRole.values()[block.varint("role", 0, PlayerRole.values().length - 1)];
@@ -285,6 +295,17 @@ public final class RecordingReader implements AutoCloseable {
       default:
         throw new RecordingException("damaged: unknown entry=" + tag);
     }
+  }
+
+  private Entry readNewcomer(int tag, String account, int[] values) throws RecordingException {
+    if (tag != Block.JOIN && tag != Block.WATCH) {
+      throw new RecordingException("damaged: an account is followed by entry=" + tag);
+    }
+    playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
+    newcomer = new Newcomer(block.text("player name", MAX_NAME_BYTES), account, values);
+    inputs[playerId] = 0;
+    viewDelays[playerId] = 0;
+    return tag == Block.JOIN ? Entry.JOIN : Entry.WATCH;
   }
 
   private Entry readKeyframe() throws RecordingException {
@@ -440,9 +461,9 @@ public final class RecordingReader implements AutoCloseable {
     return playerId;
   }
 
-  /** Returns the name of the player who joins. */
-  public String playerName() {
-    return playerName;
+  /** Returns the player or spectator who enters. */
+  public Newcomer newcomer() {
+    return newcomer;
   }
 
   /** Returns the role that a participant gets. */

@@ -152,12 +152,20 @@ public final class Replay {
 
   private void join() throws RecordingException {
     requireNew();
-    simulation.join(reader.playerId(), reader.playerName());
+    enters(() -> simulation.join(reader.playerId(), reader.newcomer(), 0, 0));
   }
 
   private void watch() throws RecordingException {
     requireNew();
-    simulation.joinAsSpectator(reader.playerId(), reader.playerName());
+    enters(() -> simulation.joinAsSpectator(reader.playerId(), reader.newcomer()));
+  }
+
+  private void enters(Runnable entry) throws RecordingException {
+    try {
+      entry.run();
+    } catch (IllegalArgumentException e) {
+      throw contradicts("player " + reader.playerId() + " can't enter: " + e.getMessage());
+    }
   }
 
   private void requireNew() throws RecordingException {

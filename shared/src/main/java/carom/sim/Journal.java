@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.sim.entity.Newcomer;
 import carom.sim.message.PlayerRole;
 
 /**
@@ -14,10 +15,10 @@ import carom.sim.message.PlayerRole;
  */
 public interface Journal {
   /** Receives a player who is about to join, before {@link Game#join}. */
-  default void joining(SimulationHost s, int id, String name) {}
+  default void joining(SimulationHost s, int id, Newcomer newcomer) {}
 
   /** Receives a spectator who is about to come. */
-  default void watching(SimulationHost s, int id, String name) {}
+  default void watching(SimulationHost s, int id, Newcomer newcomer) {}
 
   /**
    * Receives a participant who is about to change its role, before {@link Game#join} or {@link

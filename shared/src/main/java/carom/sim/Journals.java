@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.sim.entity.Newcomer;
 import carom.sim.message.PlayerRole;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,16 +24,16 @@ final class Journals implements Journal {
   }
 
   @Override
-  public void joining(SimulationHost s, int id, String name) {
+  public void joining(SimulationHost s, int id, Newcomer newcomer) {
     for (int i = 0; i < all.size(); i++) {
-      all.get(i).joining(s, id, name);
+      all.get(i).joining(s, id, newcomer);
     }
   }
 
   @Override
-  public void watching(SimulationHost s, int id, String name) {
+  public void watching(SimulationHost s, int id, Newcomer newcomer) {
     for (int i = 0; i < all.size(); i++) {
-      all.get(i).watching(s, id, name);
+      all.get(i).watching(s, id, newcomer);
     }
   }
 

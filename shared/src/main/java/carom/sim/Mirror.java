@@ -3,6 +3,7 @@ package carom.sim;
 import carom.physics.Joint;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Newcomer;
 import carom.sim.field.EntityRef;
 import carom.sim.level.Archetype;
 import carom.sim.ruling.Rulings;
@@ -64,7 +65,7 @@ public final class Mirror {
   public HostPlayer join(int id, String name) {
     parts.phases.requirePrediction("mirror().join");
     parts.players.requireFree(id);
-    return parts.players.add(id, name);
+    return parts.players.add(id, Newcomer.stranger(name));
   }
 
   /**

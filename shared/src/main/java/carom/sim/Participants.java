@@ -2,6 +2,7 @@ package carom.sim;
 
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Newcomer;
 import carom.sim.entity.PlayerTable;
 import carom.sim.message.PlayerRole;
 import carom.sim.phase.Phase;
@@ -32,20 +33,25 @@ final class Participants {
     if (id == PlayerTable.MAX_PLAYERS) {
       throw new IllegalStateException("players=" + id + " is the limit; " + name + " can't join");
     }
-    return join(id, name, 0, 0);
+    return join(id, Newcomer.stranger(name), 0, 0);
   }
 
-  /** Adds a player, as {@link SimulationHost#join(int, String, int, int)} says. */
-  HostPlayer join(int id, String name, int team, int score) {
+  /** Adds a player, as {@link SimulationHost#join(int, Newcomer, int, int)} says. */
+  HostPlayer join(int id, Newcomer newcomer, int team, int score) {
     parts.phases.requireAuthority("join");
     players.requireFree(id);
     if (!parts.journals.isEmpty() && (team != 0 || score != 0)) {
       throw new IllegalStateException(
-          "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
+          "a journal can't tell what "
+              + newcomer.name()
+              + " brings: team="
+              + team
+              + " score="
+              + score);
     }
-    parts.journals.joining(simulation, id, name);
+    parts.journals.joining(simulation, id, newcomer);
     boolean full = players.count() >= parts.game.maxPlayers();
-    HostPlayer player = players.add(id, name);
+    HostPlayer player = players.add(id, newcomer);
     if (full) {
       players.become(player, PlayerRole.SPECTATOR);
       BuiltInMessages.tell(simulation, player, BuiltInMessages.refusalWhenFull(simulation));
@@ -58,11 +64,11 @@ final class Participants {
   }
 
   /** Adds a spectator, as {@link SimulationHost#joinAsSpectator} says. */
-  HostPlayer joinAsSpectator(int id, String name) {
+  HostPlayer joinAsSpectator(int id, Newcomer newcomer) {
     parts.phases.requireAuthority("joinAsSpectator");
     players.requireFree(id);
-    parts.journals.watching(simulation, id, name);
-    HostPlayer player = players.add(id, name);
+    parts.journals.watching(simulation, id, newcomer);
+    HostPlayer player = players.add(id, newcomer);
     players.become(player, PlayerRole.SPECTATOR);
     return player;
   }

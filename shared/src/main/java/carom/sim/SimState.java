@@ -24,7 +24,7 @@ public final class SimState {
    * raises it. It says nothing about arithmetic: a build that computes otherwise may read the state
    * and go on from it.
    */
-  public static final int LAYOUT = 1;
+  public static final int LAYOUT = 2;
 
   final SimParts owner;
   final SavedFields fields;

@@ -23,6 +23,7 @@ import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
 import carom.sim.entity.JointTable;
+import carom.sim.entity.Newcomer;
 import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
 import carom.sim.event.EventKind;
@@ -426,17 +427,18 @@ public final class SimulationHost implements Match, Rules {
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when the id is taken
    */
   public HostPlayer join(int id, String name) {
-    return join(id, name, 0, 0);
+    return join(id, Newcomer.stranger(name), 0, 0);
   }
 
   /**
-   * Adds a player who brings a team and a score from the match before. {@link Game#join} finds them
-   * set.
+   * Adds a player who brings a team and a score from the match before, and what an account has
+   * kept. {@link Game#join} finds all of it set.
    *
    * @throws IllegalStateException as {@link #join(int, String)}
+   * @throws IllegalArgumentException if the account's values are none of this game
    */
-  public HostPlayer join(int id, String name, int team, int score) {
-    return participants.join(id, name, team, score);
+  public HostPlayer join(int id, Newcomer newcomer, int team, int score) {
+    return participants.join(id, newcomer, team, score);
   }
 
   /**
@@ -445,7 +447,16 @@ public final class SimulationHost implements Match, Rules {
    * @throws IllegalStateException as {@link #join(int, String)}
    */
   public HostPlayer joinAsSpectator(int id, String name) {
-    return participants.joinAsSpectator(id, name);
+    return joinAsSpectator(id, Newcomer.stranger(name));
+  }
+
+  /**
+   * Adds a spectator, as {@link #joinAsSpectator(int, String)} does.
+   *
+   * @throws IllegalArgumentException as {@link #join(int, Newcomer, int, int)}
+   */
+  public HostPlayer joinAsSpectator(int id, Newcomer newcomer) {
+    return participants.joinAsSpectator(id, newcomer);
   }
 
   @Override

@@ -425,8 +425,14 @@ final class ArchitectureTest {
   }
 
   @Test
-  void databaseHasOneHome() {
-    onlyIn("carom.server.directory", "org.postgresql..", "java.sql..");
+  void databasesHaveTwoHomes() {
+    noClasses()
+        .that()
+        .resideOutsideOfPackages("carom.server.directory", "carom.server.account.jdbc")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("org.postgresql..", "java.sql..", "org.h2..")
+        .check(CAROM);
   }
 
   @Test

@@ -216,7 +216,7 @@ final class HostileRecordingTest {
     byte[] other = good.clone();
     other[11] = 9;
     String message = assertThrows(RecordingException.class, () -> play(other, null)).getMessage();
-    assertTrue(message.contains("version=9, this build reads 4"), message);
+    assertTrue(message.contains("version=9, this build reads 5"), message);
     message =
         assertThrows(RecordingException.class, () -> play(new byte[] {1, 2, 3}, null)).getMessage();
     assertTrue(message.contains("no recording"), message);

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
+import carom.net.seal.PlayerKey;
 import carom.server.access.AccessLists;
 import carom.server.config.DataFolder;
 import carom.server.config.ServerConfig;
@@ -175,5 +176,17 @@ final class JoinTokenTest {
     uses = 2;
     demandTokens();
     assertNotNull(join("Ann", seven, 0).welcome, "two seats");
+  }
+
+  @Test
+  void noTokenClaimsTheAccountOfAKey() throws Exception {
+    FakeClient thief = join("Eve", token("{\"sub\":\"key:x\",\"exp\":1800000060}"), 0);
+    assertEquals(RefusalReason.TOKEN_INVALID, thief.refused.reason());
+    assertTrue(thief.refused.text().contains("own keys"), thief.refused.text());
+    FakeClient key = rig.connect();
+    String proof = PlayerKey.random().proof(key.link.binding());
+    key.link.close("only its link is of use");
+    assertEquals(
+        RefusalReason.TOKEN_INVALID, join("Eve", proof, 0).refused.reason(), "tokens are demanded");
   }
 }

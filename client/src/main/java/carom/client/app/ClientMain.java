@@ -15,6 +15,7 @@ import carom.game.GamesOption;
 import carom.net.frame.Trust;
 import carom.net.protocol.PlayerName;
 import carom.net.seal.KnownServers;
+import carom.net.seal.PlayerKey;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.options.Flags;
@@ -206,7 +207,22 @@ public final class ClientMain implements Callable<Integer> {
         KnownServers.in(flags.get(SETTINGS, SettingsFile.usual()).resolveSibling("known_servers")));
   }
 
-  private int openWindow(ClientConfig config, Path recording, SpectatorThread spectator) {
+  /** Returns the settings with the key beside the window's settings, unless another was named. */
+  private ClientConfig withKey(ClientConfig config) {
+    if (config.get(ClientConfig.KEY) != null) {
+      return config;
+    }
+    Path file = flags.get(SETTINGS, SettingsFile.usual()).resolveSibling("player.key");
+    try {
+      return config.with(ClientConfig.KEY, PlayerKey.load(file));
+    } catch (IOException e) {
+      System.err.println("carom-client: servers won't know you again: " + e.getMessage());
+      return config;
+    }
+  }
+
+  private int openWindow(ClientConfig given, Path recording, SpectatorThread spectator) {
+    ClientConfig config = withKey(given);
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");

@@ -58,7 +58,7 @@ public final class NetworkOptions {
           .text("How much is logged: error, warn, info or debug ({default}).");
 
   static {
-    ROWS.addAll(ClientConfig.TOKEN);
+    ROWS.addAll(ClientConfig.TOKEN, ClientConfig.KEY);
   }
 
   private static final Setting<Path> PASSWORD_FILE =

@@ -6,6 +6,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.seal.PlayerKey;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -49,6 +50,7 @@ public final class Connection implements LinkHandler {
   private final String playerName;
   private final String game;
   private String token;
+  private final PlayerKey key;
 
   /** Stands in for the token at the server to which the present one has moved the client. */
   private String ticket = "";
@@ -92,6 +94,7 @@ public final class Connection implements LinkHandler {
    * @param room name of the requested room, empty for any
    * @param game name of the requested game, empty for any
    * @param token join token, empty for none
+   * @param key the player's own, which is shown without a token; null for none
    * @param password the server's, empty for none
    * @param reconnects whether to come back after a link was lost
    */
@@ -101,6 +104,7 @@ public final class Connection implements LinkHandler {
       String room,
       String game,
       String token,
+      PlayerKey key,
       String password,
       boolean reconnects,
       ClientTransport transport,
@@ -111,6 +115,7 @@ public final class Connection implements LinkHandler {
     this.room = room;
     this.game = game;
     this.token = token;
+    this.key = key;
     this.password = password;
     this.reconnects = reconnects;
     this.transport = transport;
@@ -158,6 +163,12 @@ public final class Connection implements LinkHandler {
     progress();
   }
 
+  /** Returns the join token, or what proves the player's own key on this link. */
+  private String tokenOrProof() {
+    byte[] binding = link.binding();
+    return token.isEmpty() && key != null && binding != null ? key.proof(binding) : token;
+  }
+
   /** Checks for an open link and for deadlines. */
   private void progress() {
     long waited = nowNs - stageSinceNs;
@@ -178,7 +189,7 @@ public final class Connection implements LinkHandler {
                   secret,
                   room.isEmpty() && welcome != null && fleet.count() > 0 ? welcome.room() : room,
                   game,
-                  ticket.isEmpty() ? token : ticket));
+                  ticket.isEmpty() ? tokenOrProof() : ticket));
           ticket = "";
         } else if (link.state() == Link.State.CLOSED) {
           poll(); // delivers the reason

@@ -57,7 +57,7 @@ public final class ShownValue {
     }
     return switch (field.scope()) {
       case MATCH -> number(view.match());
-      case PLAYER -> player < 0 ? 0 : number(view.player(player));
+      case PLAYER, ACCOUNT -> player < 0 ? 0 : number(view.player(player));
       case ENTITY -> body == null ? 0 : number(view.fields(body));
     };
   }

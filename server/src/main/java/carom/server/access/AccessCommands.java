@@ -1,6 +1,7 @@
 package carom.server.access;
 
 import carom.net.protocol.PlayerName;
+import carom.net.seal.PlayerKey;
 import carom.server.command.Command;
 import carom.server.command.CommandException;
 import carom.server.command.CommandRegistry;
@@ -171,25 +172,15 @@ public final class AccessCommands {
     if (byAccount || player != null && !player.account().isEmpty()) {
       String account = byAccount ? who : player.account();
       entries.add(new AccessEntry(null, null, account, end, reason));
+      if (player != null && account.startsWith(PlayerKey.ACCOUNT)) { // a new key costs nothing
+        spared = addHousehold(entries, player, account, end, reason);
+      }
     } else if (range.isPresent()) {
       entries.add(new AccessEntry(range.get(), null, null, end, reason));
     } else {
       String name = byName ? who : player.name();
       entries.add(new AccessEntry(null, name, null, end, reason));
-      AddressRange household = byName ? null : AddressRange.household(player.remote()).orElse(null);
-      long others = household == null ? 0 : others(household, name);
-      if (others > 0) {
-        spared =
-            String.format(
-                Locale.ROOT,
-                "; not address %s, which %d other %s: ban %s",
-                household,
-                others,
-                others == 1 ? "player has" : "players have",
-                household);
-      } else if (household != null) {
-        entries.add(new AccessEntry(household, name, null, end, reason));
-      }
+      spared = byName ? "" : addHousehold(entries, player, name, end, reason);
     }
     change(lists.bans(), entries);
     int removed = removePlayers();
@@ -201,6 +192,31 @@ public final class AccessCommands {
         removed,
         removed == 1 ? "player" : "players",
         spared);
+  }
+
+  /**
+   * Bans the address of a player, too, unless other players have it.
+   *
+   * @param of name or account with which the ban of the address ends
+   * @return what to add to the answer
+   */
+  private String addHousehold(
+      List<AccessEntry> entries, PlayerInfo player, String of, Instant end, String reason) {
+    AddressRange household = AddressRange.household(player.remote()).orElse(null);
+    long others = household == null ? 0 : others(household, player.name());
+    if (others > 0) {
+      return String.format(
+          Locale.ROOT,
+          "; not address %s, which %d other %s: ban %s",
+          household,
+          others,
+          others == 1 ? "player has" : "players have",
+          household);
+    }
+    if (household != null) {
+      entries.add(new AccessEntry(household, of, null, end, reason));
+    }
+    return "";
   }
 
   /** Returns the player of the first word, who must be here. */
@@ -303,7 +319,7 @@ public final class AccessCommands {
     AccessEntry wanted = entry(words);
     List<String> found = new ArrayList<>();
     Predicate<AccessEntry> isMeant =
-        entry -> wanted.isAboutSame(entry) || wanted.range() == null && entry.isOf(wanted.name());
+        entry -> wanted.isAboutSame(entry) || wanted.range() == null && entry.isOf(wanted.value());
     file.entries().stream().filter(isMeant).forEach(entry -> found.add(entry.what()));
     try {
       if (file.remove(isMeant) == 0) {

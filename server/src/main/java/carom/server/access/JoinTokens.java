@@ -3,6 +3,7 @@ package carom.server.access;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
+import carom.net.seal.PlayerKey;
 import carom.text.Json;
 import carom.text.JsonException;
 import carom.text.TextFile;
@@ -169,6 +170,12 @@ public final class JoinTokens {
         || !account.equals(Texts.clean(account))
         || account.length() > ProtocolLimits.MAX_ACCOUNT_CHARACTERS) {
       throw new BadTokenException("The token has no account of 1 to 64 visible characters (sub).");
+    }
+    if (account.startsWith(PlayerKey.ACCOUNT)) {
+      throw new BadTokenException(
+          "The token's account (sub) begins with "
+              + PlayerKey.ACCOUNT
+              + ", which players' own keys alone prove.");
     }
     String problem = token.room().isEmpty() ? null : RoomName.problem(token.room());
     if (problem != null) {

@@ -5,6 +5,7 @@ import carom.replay.Block;
 import carom.replay.BlockSink;
 import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
+import carom.server.account.AccountLog;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
@@ -60,6 +61,7 @@ public final class RoomCheckpoints {
    * @param counters of the room
    * @param seats of the room
    * @param ownership whether the server owns the room
+   * @param accounts what the room has noted of accounts
    * @param bySeat the live array of the sessions by seat, null where a seat is empty
    */
   @SuppressWarnings("ArrayRecordComponent") // Never compared.
@@ -71,6 +73,7 @@ public final class RoomCheckpoints {
       Counters counters,
       Seats seats,
       Ownership ownership,
+      AccountLog accounts,
       Session[] bySeat) {
 
     RoomConfig room() {
@@ -112,6 +115,12 @@ public final class RoomCheckpoints {
 
   /** True if the disk took no checkpoint lately, which the log has. The disk's thread ends it. */
   private volatile boolean failing;
+
+  /** The number of writes of accounts that belong to ticks that are written. */
+  private volatile long accountsKept;
+
+  /** The number of those that were handed to the disk. */
+  private long handedAccounts;
 
   private boolean toldTooLarge;
 
@@ -350,6 +359,7 @@ public final class RoomCheckpoints {
       if (seatsVersion != room.seats().version()) {
         writeSeats(slot);
       }
+      keepAccounts(slot);
     }
   }
 
@@ -367,11 +377,31 @@ public final class RoomCheckpoints {
     if (changed) {
       settle(to);
     }
+    keepAccounts(to);
     if (confirms != null) {
       long number = ++handed;
       to.then(() -> confirms.whenThere(() -> confirm(number)));
     }
     return taken;
+  }
+
+  /** Lets the room know when what it has noted of accounts so far is written. */
+  private void keepAccounts(SlotFile to) {
+    long noted = room.accounts().noted();
+    if (noted > handedAccounts) {
+      handedAccounts = noted;
+      to.then(() -> accountsKept = Math.max(accountsKept, noted));
+    }
+  }
+
+  /**
+   * Returns how many of the writes of accounts that the room has noted belong to ticks from which
+   * it could go on.
+   *
+   * @param noted how many it has noted
+   */
+  public long accountsKept(long noted) {
+    return header == null || abandoned ? noted : accountsKept;
   }
 
   /** Learns that the follower has the blocks up to one; one thread at a time. */
@@ -452,6 +482,8 @@ public final class RoomCheckpoints {
     handedTick = slotTick;
     settle(next);
     int number = next.number();
+    long noted = room.accounts().noted();
+    handedAccounts = noted;
     boolean healthy = nowNs - healthyNs >= 0;
     next.sync(
         () -> {
@@ -460,6 +492,7 @@ public final class RoomCheckpoints {
             forgetFailures();
           }
           safeSlot = number;
+          accountsKept = Math.max(accountsKept, noted);
           givenUp = false;
           if (failing) {
             failing = false;
@@ -537,7 +570,8 @@ public final class RoomCheckpoints {
             slotTick,
             slotHash,
             events,
-            seats.next(handedTick + 1, events, nowNs));
+            seats.next(handedTick + 1, events, nowNs),
+            room.accounts().departed());
     to.seats(saved.toBytes());
   }
 

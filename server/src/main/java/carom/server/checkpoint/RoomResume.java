@@ -95,6 +95,7 @@ final class RoomResume {
     List<Session> sessions = Arrays.stream(bySeat).filter(Objects::nonNull).toList();
     sessions.forEach(session -> session.seat().returnsTo(s.tick()));
     reserveSeats();
+    room.accounts().resumed(saved.accounts());
     loader.goOn(saved.match(), saved.roomSeed());
     LOG.info(
         "resumed room={} tick={} checkpoint={} inputs={} players={} hash={}",
@@ -261,6 +262,7 @@ final class RoomResume {
                 saved.switches());
     if (seat != null) {
       seat.mute(saved.muted());
+      seat.stay(saved.stay() == null ? null : saved.stay().resumed());
     }
     return seat;
   }

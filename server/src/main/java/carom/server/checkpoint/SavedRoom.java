@@ -6,6 +6,7 @@ import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.server.account.AccountWrite;
 import carom.server.config.RoomConfig;
 import carom.sim.SimState;
 import carom.sim.outbox.NextMatch;
@@ -32,6 +33,7 @@ import java.util.zip.CRC32;
  * @param hash hash of its state
  * @param events what happened before the checkpoint
  * @param seats the players
+ * @param accounts last writes of players who have left, which the store of accounts may lack
  */
 record SavedRoom(
     long physicsDigest,
@@ -44,15 +46,18 @@ record SavedRoom(
     int tick,
     long hash,
     SavedEvents events,
-    List<SavedSeat> seats) {
+    List<SavedSeat> seats,
+    List<AccountWrite> accounts) {
   private static final long MAGIC = 0x4341524f4d534541L; // "CAROMSEA"
-  private static final int FORMAT = 3;
+  private static final int FORMAT = 4;
   private static final int HEAD_BYTES = 20;
   private static final int MAX_CONFIG = 1 << 16;
   private static final int MAX_NAME = 1 << 12;
+  private static final int MAX_WRITES = 1 << 13;
 
   SavedRoom {
     seats = List.copyOf(seats);
+    accounts = List.copyOf(accounts);
   }
 
   /** Returns the settings of a room that decide whether its checkpoints may be resumed. */
@@ -138,8 +143,15 @@ record SavedRoom(
     for (int i = 0; i < count; i++) {
       seats.add(SavedSeat.pass(a, reads ? null : r.seats.get(i), events.count()));
     }
+    int writes =
+        a.count("writes", reads ? 0 : r.accounts.size(), MAX_WRITES, AccountWrite.LEAST_BYTES);
+    List<AccountWrite> accounts = new ArrayList<>();
+    for (int i = 0; i < writes; i++) {
+      accounts.add(AccountWrite.pass(a, reads ? null : r.accounts.get(i)));
+    }
     return new SavedRoom(
-        physics, layout, config, seed, match, rotation, pending, tick, hash, events, seats);
+        physics, layout, config, seed, match, rotation, pending, tick, hash, events, seats,
+        accounts);
   }
 
   /**

@@ -2,6 +2,7 @@ package carom.server.checkpoint;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.physics.archive.Archive;
+import carom.server.account.Stay;
 import carom.server.session.Seats;
 
 /**
@@ -18,6 +19,7 @@ import carom.server.session.Seats;
  * @param switches as {@link Seats.Seat#switches}
  * @param reserved whether the player has gone to another room, which may not know it after a crash
  * @param sinceTick first tick at whose end the player may sit there
+ * @param stay the stay of the account, or null
  * @param events places, in the list of the room, of the events that the player may not have heard
  *     of; never changed
  */
@@ -34,6 +36,7 @@ record SavedSeat(
     int switches,
     boolean reserved,
     int sinceTick,
+    Stay stay,
     int[] events) {
   /** Stands for the whole grace period. */
   public static final int PLAYED = -1;
@@ -66,13 +69,14 @@ record SavedSeat(
     int switches = a.integer("moves", reads ? 0 : s.switches, 0, Integer.MAX_VALUE);
     boolean reserved = a.flag("reserved", !reads && s.reserved);
     int since = a.integer("since", reads ? 0 : s.sinceTick, 0, Integer.MAX_VALUE);
+    Stay stay = Stay.pass(a, reads ? null : s.stay);
     int count = a.count("events of seat", reads ? 0 : s.events.length, eventCount, Integer.BYTES);
     int[] events = reads ? new int[count] : s.events;
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
         ? new SavedSeat(
             id, wanted, name, account, secret, muted, grace, course, switches, reserved, since,
-            events)
+            stay, events)
         : s;
   }
 }

@@ -95,6 +95,7 @@ final class SlotSeats {
         seat.switches(),
         reserved,
         since,
+        seat.stay(),
         events.lackedBy(seat.secret()));
   }
 

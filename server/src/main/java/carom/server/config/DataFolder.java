@@ -71,6 +71,11 @@ public record DataFolder(Path root) {
     return root.resolve("checkpoints");
   }
 
+  /** Returns the file of what accounts keep, without the ending that the database gives it. */
+  public Path accounts() {
+    return root.resolve("accounts");
+  }
+
   /** Returns the folder of the journals of rooms that this server follows in its fleet. */
   public Path followed() {
     return root.resolve("followed");

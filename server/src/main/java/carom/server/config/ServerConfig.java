@@ -25,6 +25,9 @@ public final class ServerConfig extends Settings<ServerConfig> {
   /** Largest number of seats in all rooms together: as many rooms as may be of the usual 64. */
   public static final int MAX_PLACES = 64 * MAX_ROOMS;
 
+  /** The value of {@link #STORE} by which accounts keep nothing. */
+  public static final String NO_STORE = "off";
+
   /** Longest time between checkpoints, s. */
   public static final int MAX_CHECKPOINT_S = 600;
 
@@ -198,6 +201,13 @@ public final class ServerConfig extends Settings<ServerConfig> {
               "Seconds between checkpoints in the data folder, {range}; a server that was"
                   + " killed goes on from the last one when it starts again, and players get their"
                   + " bodies back; 0 = none ({default}).");
+
+  public static final Setting<String> STORE =
+      ROWS.text("store", "WHERE", "data")
+          .text(
+              "Where accounts keep what games let last: data = a file in the data folder, off ="
+                  + " nowhere, or postgresql://[USER[:PASSWORD]@]HOST[:PORT]/DATABASE, for several"
+                  + " servers ({default}).");
 
   public static final Setting<String> RECORD =
       ROWS.text("record", "FILE", null)

@@ -31,7 +31,8 @@ public final class Directories {
     }
     if (address.startsWith("postgresql:")) {
       tls.context(); // says which file can't be used; the driver reads them again
-      return new PostgresDirectory(PostgresAddress.parse(address, tls, Directory.DEADLINE_MS));
+      return new PostgresDirectory(
+          PostgresAddress.parse("--fleet", address, tls, Directory.DEADLINE_MS));
     }
     throw bad("begins with no directory that Carom knows");
   }

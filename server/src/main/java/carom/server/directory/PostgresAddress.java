@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * @param properties what the driver is told besides
  * @param deadlineMs longest time of a call
  */
-record PostgresAddress(String shown, String jdbcUrl, Properties properties, int deadlineMs) {
+public record PostgresAddress(String shown, String jdbcUrl, Properties properties, int deadlineMs) {
   private static final String SCHEME = "postgresql://";
   private static final String HOST = "([\\w.-]+|\\[[\\p{XDigit}:.]+])(:\\d{1,5})?";
   private static final Pattern HOSTS = Pattern.compile(HOST + "(," + HOST + ")*");
@@ -25,9 +25,10 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties, int 
    * postgresql://[USER[:PASSWORD]@]HOST[:PORT][,...]/DATABASE[?OPTION=VALUE[&...]]}. User and
    * password are percent-encoded, options are those of the JDBC driver.
    *
+   * @param flag that has it, for messages
    * @throws IOException if it is none; doesn't repeat it, because of the password
    */
-  static PostgresAddress parse(String address, DirectoryTls tls, int deadlineMs)
+  public static PostgresAddress parse(String flag, String address, DirectoryTls tls, int deadlineMs)
       throws IOException {
     String rest = address.startsWith(SCHEME) ? address.substring(SCHEME.length()) : "";
     int slash = rest.indexOf('/');
@@ -39,15 +40,16 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties, int 
         || database.contains("@")
         || !HOSTS.matcher(hosts).matches()) {
       throw new IOException(
-          "--fleet needs a host and a database; for example"
+          flag
+              + " needs a host and a database; for example"
               + " postgresql://carom:PASSWORD@db.example.org:5432/carom");
     }
     Properties properties = new Properties();
     if (at > 0) {
       int colon = rest.substring(0, at).indexOf(':');
-      properties.setProperty("user", decoded(rest.substring(0, colon < 0 ? at : colon)));
+      properties.setProperty("user", decoded(flag, rest.substring(0, colon < 0 ? at : colon)));
       if (colon >= 0) {
-        properties.setProperty("password", decoded(rest.substring(colon + 1, at)));
+        properties.setProperty("password", decoded(flag, rest.substring(colon + 1, at)));
       }
     }
     String seconds = "" + (deadlineMs + 999) / 1_000;
@@ -76,12 +78,13 @@ record PostgresAddress(String shown, String jdbcUrl, Properties properties, int 
         deadlineMs);
   }
 
-  private static String decoded(String text) throws IOException {
+  private static String decoded(String flag, String text) throws IOException {
     try {
       return URLDecoder.decode(text.replace("+", "%2B"), UTF_8);
     } catch (IllegalArgumentException e) {
       throw new IOException(
-          "--fleet has a % in user or password that isn't written %25; for example "
+          flag
+              + " has a % in user or password that isn't written %25; for example "
               + "postgresql://carom:PASSWORD@db.example.org:5432/carom",
           e);
     }

@@ -9,6 +9,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.net.seal.PlayerKey;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -16,6 +17,8 @@ import carom.server.access.AddressRange;
 import carom.server.access.EntryRule;
 import carom.server.access.GamePassword;
 import carom.server.access.JoinTokens;
+import carom.server.account.AccountService;
+import carom.server.account.Stay;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
 import carom.server.room.FleetDoor;
@@ -28,6 +31,7 @@ import carom.server.session.Seats;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Locale;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Future;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -54,6 +58,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** Time for which a visitor waits for a seat before the lobby refuses it, ms. */
   private static final long ENTRANCE_WAIT_MS = 2_500;
+
+  /** Longest time for which a visitor waits for what its account has. */
+  private static final long ACCOUNT_WAIT_MS = 2_000;
 
   /**
    * Number of seats that visitors of one host may hold while they load the level, or half of the
@@ -101,6 +108,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private ServerMessage.Welcome welcome;
   private LevelUpload upload;
   private boolean done;
+
+  /** The stay of the account, while the store is asked; or null. */
+  private CompletableFuture<Stay> remembering;
+
+  /** True if the player doesn't come back to the seat. */
+  private boolean isNewcomer;
 
   /** Who a ticket belongs to, as soon as the fleet's directory has answered; or null. */
   private Future<FleetDoor.Guest> redeeming;
@@ -156,7 +169,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   int poll() {
     int work = sendList();
-    while (!done && waiting == null && redeeming == null && roomList.isSent() && work < MAX_POLL) {
+    while (!done
+        && waiting == null
+        && redeeming == null
+        && remembering == null
+        && roomList.isSent()
+        && work < MAX_POLL) {
       if (link.poll(this, 1) == 0) {
         break;
       }
@@ -409,7 +427,14 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     JoinTokens joinTokens = context.entryRule().tokens();
     Room expecting = chooser.expecting(hello.resumeSecret());
     if (joinTokens == null || expecting != null) {
-      String account = expecting == null ? "" : expecting.seats().accountOf(hello.resumeSecret());
+      String account =
+          expecting == null
+              ? accountOfKey(hello.token())
+              : expecting.seats().accountOf(hello.resumeSecret());
+      if (account == null) {
+        refuse(RefusalReason.TOKEN_INVALID, "Your key's signature isn't for this link.");
+        return null;
+      }
       return new JoinRequest(
           name,
           account,
@@ -435,12 +460,28 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   }
 
   /**
+   * Returns the account that a player's own key proves, or an empty text without a key. Thin
+   * clients have no such link: null, as for a wrong signature.
+   */
+  private String accountOfKey(String proof) {
+    if (!proof.startsWith(PlayerKey.PROOF)) {
+      return "";
+    }
+    byte[] binding = link.binding();
+    return binding == null ? null : PlayerKey.account(proof, binding);
+  }
+
+  /**
    * Gives a visitor that has sent Hello a seat as soon as it may have one. A visitor waits while
    * its host joins too often or holds too many seats without playing, and while a full room gives
    * up the seat of a player who lost the connection.
    */
   void tryToEnter() {
     if (done) {
+      return;
+    }
+    if (remembering != null) {
+      enterRoom();
       return;
     }
     if (standby != null) {
@@ -595,6 +636,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
       room = chosen;
       seat = room.seats().take(waiting.name(), waiting.account(), origin);
+      isNewcomer = true;
     }
     return seat != null;
   }
@@ -642,6 +684,22 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     // The operator may have banned the player while the level loaded.
     if (!requireEntry(seat.wantedName(), seat.account())) {
       return;
+    }
+    AccountService accounts = directory.accounts();
+    if (isNewcomer && accounts != null && !seat.account().isEmpty() && remembering == null) {
+      remembering = accounts.begin(seat.account());
+      waitsUntilNs = context.nowNs() + ACCOUNT_WAIT_MS * NS_PER_MS;
+    }
+    if (remembering != null) {
+      if (!remembering.isDone() && context.nowNs() - waitsUntilNs < 0) {
+        return; // tryToEnter asks again
+      }
+      Stay stay = remembering.getNow(null);
+      seat.stay(stay);
+      if (stay == null) {
+        LOG.warn("{} of account={} plays without what it has", seat.name(), seat.account());
+        forgetAccount(); // if the store answers after all
+      }
     }
     done = true;
     if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
@@ -747,7 +805,18 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     giveUpSeat();
   }
 
+  /** Ends a stay, or lets it not begin. */
+  private void forgetAccount() {
+    Stay stay = remembering.cancel(false) ? null : remembering.getNow(null);
+    if (stay != null) {
+      directory.accounts().ends(stay);
+    }
+  }
+
   private void giveUpSeat() {
+    if (remembering != null) {
+      forgetAccount();
+    }
     if (seat != null) {
       room.seats().unclaim(seat);
       seat = null;

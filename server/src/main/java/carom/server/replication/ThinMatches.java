@@ -176,7 +176,7 @@ final class ThinMatches {
           new Gauge(
               gauge.kind().name(),
               gauge.label(),
-              field.scope().name().toLowerCase(Locale.ROOT),
+              field.scope().holder().name().toLowerCase(Locale.ROOT),
               field.name(),
               ratio ? 0 : field.min(),
               ratio ? 1 : field.max()));

@@ -38,6 +38,7 @@ final class Arrivals {
   private final RosterNews roster;
   private final Announcer announcer;
   private final MatchChange changes;
+  private final RoomAccounts accounts;
   private final ArrayBlockingQueue<Admission> queue;
 
   /**
@@ -53,7 +54,8 @@ final class Arrivals {
       Departures departures,
       RosterNews roster,
       Announcer announcer,
-      MatchChange changes) {
+      MatchChange changes,
+      RoomAccounts accounts) {
     this.room = room;
     this.clock = clock;
     this.sessions = sessions;
@@ -61,6 +63,7 @@ final class Arrivals {
     this.roster = roster;
     this.announcer = announcer;
     this.changes = changes;
+    this.accounts = accounts;
     queue = new ArrayBlockingQueue<>(2 * ProtocolLimits.MAX_PLAYERS);
   }
 
@@ -121,7 +124,7 @@ final class Arrivals {
     Session session = sessions.onSeat(id);
     boolean resumed = session != null;
     if (session == null) {
-      HostPlayer player = room.simulation().join(id, a.seat().name());
+      HostPlayer player = accounts.join(a.seat());
       session =
           new Session(
               a.seat(),
@@ -159,10 +162,16 @@ final class Arrivals {
     String what = resumed ? " is back" : " joined";
     announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
-    if (!resumed && !room.config().get(ServerConfig.WELCOME).isEmpty()) {
-      Message welcome =
-          BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, room.config().get(ServerConfig.WELCOME));
-      room.simulation().send(welcome).to(session.player());
+    if (!resumed) {
+      greet(session, room.config().get(ServerConfig.WELCOME));
+      greet(session, accounts.trouble(session));
+    }
+  }
+
+  private void greet(Session session, String text) {
+    if (!text.isEmpty()) {
+      Message said = BuiltInKinds.SAID.of(BuiltInKinds.SERVER, false, text);
+      room.simulation().send(said).to(session.player());
     }
   }
 

@@ -33,6 +33,7 @@ final class Departures {
   private final RosterNews roster;
   private final Announcer announcer;
   private final PartingLinks partings;
+  private final RoomAccounts accounts;
   private final SeatRequests requests;
 
   /**
@@ -45,12 +46,14 @@ final class Departures {
       RoomSessions sessions,
       RosterNews roster,
       Announcer announcer,
-      PartingLinks partings) {
+      PartingLinks partings,
+      RoomAccounts accounts) {
     this.room = room;
     this.sessions = sessions;
     this.roster = roster;
     this.announcer = announcer;
     this.partings = partings;
+    this.accounts = accounts;
     requests = new SeatRequests(room.counters(), room.seats(), room.config());
   }
 
@@ -145,6 +148,7 @@ final class Departures {
     sessions.remove(session);
     part(session.end(), why, nowNs);
     room.simulation().leave(session.player());
+    accounts.left(session);
     room.seats().vacate(session.seat());
     roster.changed();
     LOG.info(
@@ -169,6 +173,7 @@ final class Departures {
     sessions.remove(session);
     Link link = session.end();
     room.simulation().leave(session.player());
+    accounts.note(session);
     roster.changed();
     LOG.info(
         "{}move: {}, player {}, goes to room {}, {} of {} players",

@@ -19,6 +19,7 @@ import carom.server.session.Session;
 import carom.server.threads.LoaderThread;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Newcomer;
 import carom.sim.outbox.NextMatch;
 import java.io.IOException;
 import java.util.concurrent.CompletableFuture;
@@ -65,6 +66,7 @@ final class MatchChange implements RoomCourse {
   private NextMatch pending;
 
   private final RoomJournals journals;
+  private final RoomAccounts accounts;
   private volatile int lostTicks;
   private int inRotation;
 
@@ -165,8 +167,10 @@ final class MatchChange implements RoomCourse {
       RoomRecording recording,
       RoomJournals journals,
       RosterNews roster,
-      Announcer announcer) {
+      Announcer announcer,
+      RoomAccounts accounts) {
     this.journals = journals;
+    this.accounts = accounts;
     this.announcer = announcer;
     this.room = room;
     this.loader = loader;
@@ -222,6 +226,7 @@ final class MatchChange implements RoomCourse {
       lostTicks = resumed.lostTicks();
       room.play(resumed.match());
       resumed.sessions().forEach(sessions::add);
+      accounts.resumed();
       sessions.updateGauges();
       inRotation = resumed.rotation();
       presentInRotation = inRotation;
@@ -344,6 +349,7 @@ final class MatchChange implements RoomCourse {
     boolean brings =
         (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
     boolean begun = simulation.tick() > 0;
+    accounts.noteAll(false);
     recording.endMatch();
     journals.endMatch("NEXT MATCH");
     room.play(next);
@@ -358,7 +364,7 @@ final class MatchChange implements RoomCourse {
         simulation.leave(saved);
       }
       if (session != null) {
-        HostPlayer player = enter(simulation, session.player(), wanted, brings);
+        HostPlayer player = enter(simulation, session, wanted, brings);
         session.enter(player, next.replicationTo(player), next.messagesOf(player));
       }
     }
@@ -384,18 +390,22 @@ final class MatchChange implements RoomCourse {
   }
 
   /** Lets a participant into the next match; spectators go on watching. */
-  private static HostPlayer enter(
-      SimulationHost next, HostPlayer before, NextMatch wanted, boolean brings) {
+  private HostPlayer enter(SimulationHost next, Session session, NextMatch wanted, boolean brings) {
+    HostPlayer before = session.player();
+    Newcomer newcomer = accounts.newcomer(session.seat(), before, next);
     HostPlayer saved = next.participant(before.id());
     if (saved != null) {
+      if (newcomer.values() != null) {
+        saved.fieldValues().begin(newcomer.values()); // what lasts doesn't go back with a match
+      }
       return saved;
     }
     if (before.isSpectator()) {
-      return next.joinAsSpectator(before.id(), before.name());
+      return next.joinAsSpectator(before.id(), newcomer);
     }
     return next.join(
         before.id(),
-        before.name(),
+        newcomer,
         brings && wanted.keepsTeams() ? before.team() : 0,
         brings && wanted.keepsScores() ? before.score() : 0);
   }

@@ -7,6 +7,7 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
+import carom.server.account.BestLists;
 import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.checkpoint.SlotDisk;
 import carom.server.checkpoint.SlotLink;
@@ -264,6 +265,7 @@ public final class Room {
         counters(),
         seats(),
         ownership(),
+        parts.accounts,
         parts.sessions.bySeat());
   }
 
@@ -324,6 +326,16 @@ public final class Room {
     parts.switches.reconcile(rooms, parts.clock.getAsLong());
   }
 
+  /** Returns the best lists of the game that the room plays, as they were lately; any thread. */
+  public List<BestLists.Table> best() {
+    return parts.accounts.best();
+  }
+
+  /** Lets go what a room that has ended has noted of accounts, as its journals are closed. */
+  public void letAccountsGo() {
+    parts.accounts.letGo();
+  }
+
   /** Returns whether players who come are on the disk in a moment; from any thread. */
   boolean isKept() {
     return parts.journals.isKept();
@@ -365,6 +377,7 @@ public final class Room {
     }
     operator.serve();
     if (end.isClosed()) {
+      parts.accounts.letGo();
       return parts.partings.doWork(nowNs);
     }
     if (!context.ownership().holds()) {
@@ -377,6 +390,7 @@ public final class Room {
     paused = isIdle();
     if (paused) {
       parts.journals.rests(nowNs);
+      parts.accounts.letGo();
     }
     int due = owed > 0 ? owed : parts.pace.due(paused, ticks.tick(), nowNs);
     for (owed = due; owed > 0 && !end.isClosed() && !ticks.isHeld(); owed--) {

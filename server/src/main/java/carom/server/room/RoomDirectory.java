@@ -3,6 +3,7 @@ package carom.server.room;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
+import carom.server.account.AccountService;
 import carom.server.session.ChatCommands;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +21,7 @@ public final class RoomDirectory {
   private volatile List<Room> rooms = List.of();
   private volatile ChatCommands chatCommands = ChatCommands.NONE;
   private volatile FleetDoor fleet = FleetDoor.NONE;
+  private volatile AccountService accounts;
   private List<Broadcast> list = List.of();
   private List<Broadcast> listHere = List.of();
   private long listedNs;
@@ -44,6 +46,16 @@ public final class RoomDirectory {
   /** Returns what shows the rooms of other servers. */
   public FleetDoor fleet() {
     return fleet;
+  }
+
+  /** Sets what keeps accounts; before the first turn. */
+  public void accounts(AccountService service) {
+    accounts = service;
+  }
+
+  /** Returns what keeps accounts, or null if nothing does. */
+  public AccountService accounts() {
+    return accounts;
   }
 
   /** Sets who takes commands that players write into the chat of any room. */

@@ -40,6 +40,7 @@ final class RoomEnd {
     }
     closed = true;
     parts.recording.end(reason.name());
+    parts.accounts.noteAll(!parts.journals.isKept());
     parts.journals.end(!failed, nowNs);
     parts.departures.endAll(reason, text, nowNs);
     parts.arrivals.refuseAll(reason, text, nowNs);

@@ -45,6 +45,17 @@ final class RoomJournals {
     return kept != null && kept.isKept();
   }
 
+  /**
+   * Returns how many of the writes of accounts that the room has noted may be stored: those of
+   * ticks that all journals have.
+   *
+   * @param noted how many it has noted
+   */
+  long accountsKept(long noted) {
+    long byOwn = own == null ? noted : own.accountsKept(noted);
+    return follower == null ? byOwn : Math.min(byOwn, follower.accountsKept(noted));
+  }
+
   void tickEnds(long nowNs) {
     if (own != null) {
       own.tickEnds(nowNs);

@@ -41,6 +41,7 @@ final class RoomParts {
   final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
   final Departures departures;
   final RoomRecording recording;
+  final RoomAccounts accounts;
   final MatchChange changes;
   final Arrivals arrivals;
   final RoomSwitches switches;
@@ -80,11 +81,14 @@ final class RoomParts {
     announcer = new Announcer(sessions, config.get(ServerConfig.TICK_RATE));
     roster =
         new RosterNews(ProtocolLimits.MAX_PLAYERS, config.get(ServerConfig.ROSTER_INTERVAL_MS));
-    departures = new Departures(context, sessions, roster, announcer, partings);
+    accounts = new RoomAccounts(context, directory, sessions, journals, settings.name());
+    departures = new Departures(context, sessions, roster, announcer, partings, accounts);
     changes =
         new MatchChange(
-            context, loader, loads, settings, sessions, recording, journals, roster, announcer);
-    arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
+            context, loader, loads, settings, sessions, recording, journals, roster, announcer,
+            accounts);
+    arrivals =
+        new Arrivals(context, clock, sessions, departures, roster, announcer, changes, accounts);
     switches = new RoomSwitches(context, self, directory, sessions, departures);
     LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));
     pace =

@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
+import carom.server.account.Stay;
 import carom.server.config.ServerConfig;
 import carom.server.match.RoomContext;
 import carom.server.session.Admission;
@@ -126,6 +127,8 @@ final class RoomSwitches {
       seat.settle(); // otherwise as soon as the arrival there is on the disk
     }
     Link link = departures.moveOut(session, name);
+    Stay stay = session.seat().stay();
+    seat.stay(stay == null ? null : stay.moved());
     if (!to.admit(new Admission(seat, link, session.epoch(), Admission.NO_MATCH))) {
       LOG.warn("{}{} could not enter room {}", room.label(), seat.name(), name);
       link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));

@@ -196,6 +196,7 @@ final class RoomTick {
     if (stepped) {
       parts.changes.tickEnds(nowNs);
       parts.journals.tickEnds(nowNs);
+      parts.accounts.tickEnds();
     }
     show();
     stages.end(TurnStage.REST);

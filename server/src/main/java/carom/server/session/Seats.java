@@ -3,6 +3,7 @@ package carom.server.session;
 import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
+import carom.server.account.Stay;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -410,6 +411,7 @@ public final class Seats {
     private long resumedNs;
     private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
+    private volatile Stay stay;
 
     /** Frees the seat that the player left behind in another room; null if there is none. */
     private volatile Runnable behind;
@@ -512,6 +514,16 @@ public final class Seats {
     /** Returns the player's account by its join token, or an empty text. */
     public String account() {
       return account;
+    }
+
+    /** Sets the stay of the account, before its player is in the room. */
+    public void stay(Stay newStay) {
+      stay = newStay;
+    }
+
+    /** Returns the stay of the account, or null for a stranger, or if no store answers. */
+    public Stay stay() {
+      return stay;
     }
 
     /** Returns the secret by which a returning client proves its identity; never 0. */

@@ -2,6 +2,7 @@ package carom.server.web;
 
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
+import carom.server.account.BestLists;
 import carom.server.command.CommandRegistry;
 import carom.server.command.Printable;
 import carom.server.fleet.FleetFigures;
@@ -264,6 +265,30 @@ final class PageJson {
             if (addresses) {
               g.writeStringField("address", info.remote());
             }
+            g.writeEndObject();
+          }
+          g.writeEndArray();
+        });
+  }
+
+  /** Returns the best lists of the game of a room. */
+  static String best(Room room, List<BestLists.Table> tables) {
+    return message(
+        "best",
+        g -> {
+          g.writeStringField("room", room.name());
+          g.writeArrayFieldStart("lists");
+          for (BestLists.Table table : tables) {
+            g.writeStartObject();
+            g.writeStringField("field", table.field());
+            g.writeArrayFieldStart("rows");
+            for (BestLists.Line line : table.rows()) {
+              g.writeStartArray();
+              g.writeString(Printable.text(line.name()));
+              g.writeString(line.value());
+              g.writeEndArray();
+            }
+            g.writeEndArray();
             g.writeEndObject();
           }
           g.writeEndArray();

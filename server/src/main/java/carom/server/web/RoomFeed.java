@@ -77,8 +77,10 @@ final class RoomFeed {
       playersAsked = false;
       playersNs = nowNs;
       List<PlayerRates.Rate> now = rates.add(nowNs, picture.players());
+      String best = PageJson.best(room, room.best());
       for (Viewer viewer : viewers) {
         viewer.send(PageJson.players(room, now, viewer.isAdmin()));
+        viewer.send(best);
       }
     }
   }

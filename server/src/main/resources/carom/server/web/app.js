@@ -150,6 +150,7 @@ const handlers = {
   match(message) { scene.begin(message.bounds); $('body').hidden = true; },
   looks(message) { scene.learn(message.bodies); },
   players(message) { if (message.room === $('room').value) showPlayers(message.players); },
+  best(message) { if (message.room === $('room').value) showBest(message.lists); },
   log(message) {
     for (const [time, level, text] of message.lines) {
       const line = document.createElement('div');
@@ -221,6 +222,23 @@ function button(parent, text, action, kind) {
 }
 
 const percent = value => value === undefined ? '–' : (100 * value).toFixed(1) + ' %';
+
+/** Shows a table for each field that accounts keep and all may know. */
+function showBest(lists) {
+  $('best').hidden = lists.length === 0;
+  $('best').querySelector('.scroll').replaceChildren(...lists.map(list => {
+    const table = document.createElement('table');
+    table.createCaption().textContent = list.field;
+    for (const [name, value] of list.rows) {
+      const row = table.insertRow();
+      row.insertCell().textContent = name;
+      const cell = row.insertCell();
+      cell.className = 'num';
+      cell.textContent = value;
+    }
+    return table;
+  }));
+}
 
 function showPlayers(players) {
   const follow = $('follow'), chosen = follow.value;

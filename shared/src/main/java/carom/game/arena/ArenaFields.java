@@ -2,6 +2,7 @@ package carom.game.arena;
 
 import static carom.sim.event.Audience.ALL;
 import static carom.sim.event.Audience.NOBODY;
+import static carom.sim.field.Scope.ACCOUNT;
 import static carom.sim.field.Scope.ENTITY;
 import static carom.sim.field.Scope.MATCH;
 
@@ -29,6 +30,10 @@ final class ArenaFields {
   static final Real DASH_Y = Field.real("dashY");
   static final Flag JOLTS = Field.flag("jolts"); // gives a jolt in this tick
   static final Countdown JOLT_WAIT = Field.countdown("joltWait");
+
+  // Of an account.
+  static final Count WINS = Field.count("wins").of(ACCOUNT).to(ALL);
+  static final Count SCORED = Field.count("scored").of(ACCOUNT).to(ALL);
 
   // Of the match. Goals have the team as index.
   static final Count GOALS =
@@ -61,6 +66,8 @@ final class ArenaFields {
         DASH_Y,
         JOLTS,
         JOLT_WAIT,
+        WINS,
+        SCORED,
         GOALS,
         BALL,
         BALL_WAIT,

@@ -2,8 +2,10 @@ package carom.game.arena;
 
 import static carom.game.arena.ArenaFields.GOALS;
 import static carom.game.arena.ArenaFields.LAMP;
+import static carom.game.arena.ArenaFields.SCORED;
 import static carom.game.arena.ArenaFields.TOUCHED;
 import static carom.game.arena.ArenaFields.TOUCHED_BEFORE;
+import static carom.game.arena.ArenaFields.WINS;
 import static carom.sim.event.Audience.ALL;
 
 import carom.sim.Match;
@@ -31,10 +33,10 @@ final class Goals {
     String by = "";
     Player scorer = last;
     if (last != null && m.team(last) == team) {
-      m.addScore(last, 1);
+      scores(m, last);
       by = ": " + m.name(last);
     } else if (before != null && m.team(before) == team) {
-      m.addScore(before, 1);
+      scores(m, before);
       scorer = before;
       by = ": " + m.name(before);
     } else if (last != null) {
@@ -43,6 +45,11 @@ final class Goals {
     m.emit(pitch.goal).at(ball.x(), ball.y()).of(ball).by(scorer).data(team).to(ALL);
     String standing = m.get(GOALS, 1) + " : " + m.get(GOALS, 2);
     m.notice("Goal for " + Pitch.TEAM_NAMES[team] + by + " (" + standing + ")");
+  }
+
+  private static void scores(Match m, Player p) {
+    m.addScore(p, 1);
+    p.add(SCORED, MatchClock.isPlaying(m) ? 1 : 0);
   }
 
   /** Goes on after a goal: lamps, and the end of the match, or teams of equal size. */
@@ -74,6 +81,9 @@ final class Goals {
     int blue = m.get(GOALS, 2);
     int winner = red == blue ? 0 : red > blue ? 1 : 2;
     ArenaGame.CLOCK.decide(m, null, winner);
+    for (Player p : m.players()) {
+      p.add(WINS, winner != 0 && m.team(p) == winner ? 1 : 0);
+    }
     String result = winner == 0 ? "A draw, " : Pitch.TEAM_NAMES[winner] + " wins ";
     m.notice(result + red + " : " + blue + "!");
   }

@@ -3,6 +3,7 @@ package carom.game.platformer;
 import static carom.sim.event.Audience.ALL;
 import static carom.sim.event.Audience.NOBODY;
 import static carom.sim.event.Audience.OWNER;
+import static carom.sim.field.Scope.ACCOUNT;
 import static carom.sim.field.Scope.MATCH;
 
 import carom.sim.field.Count;
@@ -27,6 +28,11 @@ final class PlatformerFields {
   static final Countdown RESPAWN = Field.countdown("respawn").to(OWNER);
   static final Count RESPAWN_PLACE = Field.count("respawnPlace", 0, 65_535).to(NOBODY);
 
+  // Of an account.
+  static final Count WINS = Field.count("wins").of(ACCOUNT).to(ALL);
+  static final Count BEST_MS =
+      Field.count("bestMs", 0, 3_600_000).of(ACCOUNT).to(ALL).lowestIsBest();
+
   // Of the match.
   static final EntityRef FLAG = Field.entity("flag").of(MATCH).to(ALL);
   static final Count FLAG_PLACE = Field.count("flagPlace", 0, 65_535).of(MATCH).to(NOBODY);
@@ -46,6 +52,8 @@ final class PlatformerFields {
         JUMPING,
         RESPAWN,
         RESPAWN_PLACE,
+        WINS,
+        BEST_MS,
         FLAG,
         FLAG_PLACE,
         FLAG_WAIT,

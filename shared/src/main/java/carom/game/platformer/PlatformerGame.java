@@ -155,8 +155,17 @@ public final class PlatformerGame implements Game {
     }
     m.addScore(p, treasure.collect(m, p, sensor));
     if (m.score(p) >= POINTS_TO_WIN) {
+      noteTime(m, p);
       CLOCK.finish(m, p);
     }
+  }
+
+  /** Notes the time in which a player has won, if it is its best. */
+  private static void noteTime(Match m, Player p) {
+    int ticks = m.ticks(MATCH_SECONDS) - MatchClock.ticksLeft(m);
+    int ms = (int) (ticks * 1_000L / m.tickRate());
+    int best = p.get(PlatformerFields.BEST_MS);
+    p.set(PlatformerFields.BEST_MS, best == 0 ? ms : Math.min(best, ms));
   }
 
   @Override
@@ -170,6 +179,9 @@ public final class PlatformerGame implements Game {
     if (now == MatchPhase.OVER) {
       Player best = m.leader();
       CLOCK.decide(m, best, 0);
+      if (best != null) {
+        best.add(PlatformerFields.WINS, 1);
+      }
       m.notice(
           best == null ? "A draw!" : m.name(best) + " wins with " + m.score(best) + " points!");
     }

@@ -3,6 +3,7 @@ package carom.game.shooter;
 import static carom.sim.event.Audience.ALL;
 import static carom.sim.event.Audience.NOBODY;
 import static carom.sim.event.Audience.OWNER;
+import static carom.sim.field.Scope.ACCOUNT;
 import static carom.sim.field.Scope.ENTITY;
 import static carom.sim.field.Scope.MATCH;
 
@@ -48,6 +49,9 @@ public final class ShooterFields {
   /** Strength left of a body of the level that breaks; 0 of what doesn't. */
   public static final Ratio COVER = Field.ratio("cover", 100).of(ENTITY);
 
+  /** Matches that an account has won. */
+  public static final Count WINS = Field.count("wins").of(ACCOUNT).to(ALL);
+
   // Of a player. Input writes them, so that clients predict jumps and shots.
   static final Countdown GROUNDED = Field.countdown("grounded"); // also shortly after an edge
   static final Countdown WANTS_JUMP = Field.countdown("wantsJump"); // also before landing
@@ -89,6 +93,7 @@ public final class ShooterFields {
         WEAPON,
         AMMO,
         OUT,
+        WINS,
         SUDDEN,
         COVER,
         GROUNDED,

@@ -226,10 +226,16 @@ public final class ShooterGame implements Game {
       for (Player p : m.players()) { // what was practised is forgotten
         lives.begin(m, p);
       }
-    } else if (now == MatchPhase.OVER && MatchClock.winner(m) < 0 && isUndecided(m)) {
-      Player best = m.leader();
-      CLOCK.decide(m, best, 0);
-      m.notice(best == null ? "A draw!" : m.name(best) + " wins by knock-outs: " + m.score(best));
+    } else if (now == MatchPhase.OVER) {
+      if (MatchClock.winner(m) < 0 && isUndecided(m)) {
+        Player best = m.leader();
+        CLOCK.decide(m, best, 0);
+        m.notice(best == null ? "A draw!" : m.name(best) + " wins by knock-outs: " + m.score(best));
+      }
+      Player winner = m.player(MatchClock.winner(m));
+      if (winner != null) {
+        winner.add(ShooterFields.WINS, 1);
+      }
     }
   }
 

@@ -106,10 +106,10 @@ public final class FieldTables {
 
   /** Returns the table of the targets of a scope. */
   public static int table(Scope scope) {
-    return switch (scope) {
+    return switch (scope.holder()) {
       case PLAYER -> PLAYERS;
       case ENTITY -> ENTITIES;
-      case MATCH -> MATCH;
+      case MATCH, ACCOUNT -> MATCH;
     };
   }
 }

@@ -216,6 +216,12 @@ public abstract class ClientEnd extends FramedLink {
   }
 
   @Override
+  public byte[] binding() {
+    LinkKeys current = keys;
+    return current == null ? null : current.binding();
+  }
+
+  @Override
   public String serverFingerprint() {
     return fingerprint;
   }

@@ -246,6 +246,12 @@ final class AddressRace implements Link {
   }
 
   @Override
+  public byte[] binding() {
+    ClientLink won = winner;
+    return won == null ? null : won.binding();
+  }
+
+  @Override
   public String serverFingerprint() {
     ClientLink won = winner;
     return won == null ? "" : won.serverFingerprint();

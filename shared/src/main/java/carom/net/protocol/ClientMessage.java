@@ -20,8 +20,9 @@ public sealed interface ClientMessage {
    * @param room name of the room in which the player wants to play; empty for any
    * @param game name of the game that the player wants to play if the room is any; empty for any.
    *     It is a request: if no room that plays it has a place, the server chooses another
-   * @param token join token of the operator's own backend, at most {@link
-   *     ProtocolLimits#MAX_TOKEN_BYTES} characters of ASCII; empty for none
+   * @param token join token of the operator's own backend, or what proves a key of the player's own
+   *     (carom.net.seal.PlayerKey), at most {@link ProtocolLimits#MAX_TOKEN_BYTES} characters of
+   *     ASCII; empty for none
    */
   record Hello(
       int protocolVersion,

@@ -62,7 +62,9 @@ public final class KeyExchange {
         new NoiseHandshake(prologue(offer[0], greeting), key.publicKey(), ExchangeKey.random());
     handshake.readFirst(key, first);
     byte[] bytes = handshake.writeSecond(first, NO_PAYLOAD);
-    return new Answer(bytes, LinkKeys.of(encryption, handshake.split(), true, link, maxFields));
+    return new Answer(
+        bytes,
+        LinkKeys.of(encryption, handshake.split(), handshake.binding(), true, link, maxFields));
   }
 
   /** The client's side of one exchange. */
@@ -102,7 +104,8 @@ public final class KeyExchange {
      */
     public LinkKeys finish(byte[] answer, int link, int maxFields) throws GeneralSecurityException {
       handshake.readSecond(answer);
-      return LinkKeys.of(encryption, handshake.split(), false, link, maxFields);
+      return LinkKeys.of(
+          encryption, handshake.split(), handshake.binding(), false, link, maxFields);
     }
   }
 

@@ -92,6 +92,11 @@ final class NoiseHandshake {
     return derive(NOTHING);
   }
 
+  /** Returns the hash of the whole handshake, after the last message ("channel binding"). */
+  byte[] binding() {
+    return hash.clone();
+  }
+
   private static byte[] theirs(byte[] message) {
     return Arrays.copyOf(message, ExchangeKey.BYTES);
   }

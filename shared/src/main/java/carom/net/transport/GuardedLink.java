@@ -77,6 +77,11 @@ final class GuardedLink implements Link {
   }
 
   @Override
+  public byte[] binding() {
+    return link.binding();
+  }
+
+  @Override
   public String serverFingerprint() {
     return link.serverFingerprint();
   }

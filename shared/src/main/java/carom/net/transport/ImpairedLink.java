@@ -159,6 +159,11 @@ public final class ImpairedLink implements Link {
   }
 
   @Override
+  public byte[] binding() {
+    return link.binding();
+  }
+
+  @Override
   public String serverFingerprint() {
     return link.serverFingerprint();
   }

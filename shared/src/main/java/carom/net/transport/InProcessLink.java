@@ -30,6 +30,7 @@ final class InProcessLink implements Link {
   private final MessageCodec codec;
   private final String remote;
   private final String fingerprint;
+  private final byte[] binding;
   private final LinkCounters counters = new LinkCounters();
   private final ArrayDeque<Parcel> inbox = new ArrayDeque<>();
   private final ArrayDeque<Parcel> spareDatagrams = new ArrayDeque<>();
@@ -41,7 +42,9 @@ final class InProcessLink implements Link {
   private volatile String closeReason = "";
   private boolean closeReported;
 
-  InProcessLink(MessageCodec codec, String remote, Object lock, String fingerprint) {
+  InProcessLink(
+      MessageCodec codec, String remote, Object lock, String fingerprint, byte[] binding) {
+    this.binding = binding;
     this.fingerprint = fingerprint;
     this.lock = lock;
     this.codec = codec;
@@ -57,6 +60,11 @@ final class InProcessLink implements Link {
   @Override
   public State state() {
     return state;
+  }
+
+  @Override
+  public byte[] binding() {
+    return binding;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package carom.net.transport;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -106,8 +107,11 @@ public final class InProcessNetwork {
       links.removeIf(link -> link.state() == Link.State.CLOSED);
       int number = ++connections;
       Object pair = new Object();
-      InProcessLink serverEnd = new InProcessLink(codec, address + ":" + number, pair, "");
-      InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair, fingerprint);
+      String remote = address + ":" + number;
+      byte[] binding = remote.getBytes(StandardCharsets.UTF_8);
+      InProcessLink serverEnd = new InProcessLink(codec, remote, pair, "", binding);
+      InProcessLink clientEnd =
+          new InProcessLink(codec, "in-process server", pair, fingerprint, binding);
       InProcessLink.join(serverEnd, clientEnd);
       if (serverClosed) {
         clientEnd.close("the server is not running");

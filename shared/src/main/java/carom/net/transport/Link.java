@@ -120,6 +120,14 @@ public interface Link {
     return "";
   }
 
+  /**
+   * Returns bytes that both ends of this link have, and no other link has: what its handshake came
+   * to. They are null where there is no such handshake, and before the link is open.
+   */
+  default byte[] binding() {
+    return null;
+  }
+
   /** Returns the peer's address and port, or its name, for logs. */
   String remote();
 

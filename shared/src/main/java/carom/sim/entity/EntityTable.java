@@ -115,6 +115,7 @@ public final class EntityTable
         new PlayerTable(
             fields,
             phases::requireAuthority,
+            phases::requireTold,
             (archetype, x, y, angle, owner) -> answers.spawn(archetype, x, y, angle, owner));
     changes = new ArchetypeChange(this, areas, phases, archetypes);
   }

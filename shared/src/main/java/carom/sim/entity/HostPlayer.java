@@ -33,9 +33,11 @@ public final class HostPlayer implements Player, FieldStore.Owner {
   }
 
   private final Consumer<String> authority;
+  private final Consumer<String> told;
   private final Spawns spawns;
   private final int id;
   private final String name;
+  final String account;
   private final FieldValues fields;
   private final Input input = new Input();
   private int viewDelay;
@@ -52,14 +54,25 @@ public final class HostPlayer implements Player, FieldStore.Owner {
   /**
    * Creates a player without a body.
    *
+   * @param account empty for a stranger
    * @param authority refuses a call, by its name, that only a server may make
+   * @param told refuses a question, by its name, where clients would have to know the answer
    * @param spawns creates what the player fires
    */
-  HostPlayer(int id, String name, FieldValues fields, Consumer<String> authority, Spawns spawns) {
+  HostPlayer(
+      int id,
+      String name,
+      String account,
+      FieldValues fields,
+      Consumer<String> authority,
+      Consumer<String> told,
+      Spawns spawns) {
     this.id = id;
     this.name = name;
+    this.account = account;
     this.fields = fields;
     this.authority = authority;
+    this.told = told;
     this.spawns = spawns;
   }
 
@@ -71,6 +84,12 @@ public final class HostPlayer implements Player, FieldStore.Owner {
   /** Returns the name given at {@code Simulation.join}, which is any text. */
   public String name() {
     return name;
+  }
+
+  @Override
+  public String account() {
+    told.accept("account");
+    return account;
   }
 
   @Override

@@ -14,6 +14,14 @@ public sealed interface Player extends FieldHolder<Entity, Player> permits HostP
   /** Returns the slot, 0..1,023, which is free again once the player has left. */
   int id();
 
+  /**
+   * Returns the player's account, which the operator's join token or the client's own key proves.
+   * It is empty for a stranger. Fields {@code of(ACCOUNT)} are the account's.
+   *
+   * @throws IllegalStateException on a client, which isn't told; so don't ask in {@code Game.input}
+   */
+  String account();
+
   /** Returns the body the player steers, or null while there is none. */
   Entity entity();
 

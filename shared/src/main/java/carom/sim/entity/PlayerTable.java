@@ -17,6 +17,7 @@ public final class PlayerTable {
   private final HostPlayer[] players = new HostPlayer[MAX_PLAYERS];
   private final FieldStore fields;
   private final Consumer<String> authority;
+  private final Consumer<String> told;
   private final HostPlayer.Spawns spawns;
 
   /** Number above all ids of participants. */
@@ -26,11 +27,17 @@ public final class PlayerTable {
    * Creates an empty table.
    *
    * @param authority refuses a call, by its name, that only a server may make
+   * @param told refuses a question, by its name, where clients would have to know the answer
    * @param spawns creates what players fire
    */
-  PlayerTable(FieldStore fields, Consumer<String> authority, HostPlayer.Spawns spawns) {
+  PlayerTable(
+      FieldStore fields,
+      Consumer<String> authority,
+      Consumer<String> told,
+      HostPlayer.Spawns spawns) {
     this.fields = fields;
     this.authority = authority;
+    this.told = told;
     this.spawns = spawns;
   }
 
@@ -118,13 +125,20 @@ public final class PlayerTable {
   }
 
   /** Creates a player that is in no table yet. */
-  HostPlayer create(int id, String name) {
-    return new HostPlayer(id, name, fields.create(Scope.PLAYER), authority, spawns);
+  HostPlayer create(int id, String name, String account) {
+    return new HostPlayer(id, name, account, fields.create(Scope.PLAYER), authority, told, spawns);
   }
 
-  /** Creates a player under an id that is free. */
-  public HostPlayer add(int id, String name) {
-    HostPlayer player = create(id, name);
+  /**
+   * Creates a player under an id that is free.
+   *
+   * @throws IllegalArgumentException if its values are none of this game
+   */
+  public HostPlayer add(int id, Newcomer newcomer) {
+    HostPlayer player = create(id, newcomer.name(), newcomer.account());
+    if (newcomer.values() != null) {
+      player.fieldValues().begin(newcomer.values());
+    }
     players[id] = player;
     limit = Math.max(limit, id + 1);
     return player;

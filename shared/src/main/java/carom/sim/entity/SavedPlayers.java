@@ -60,9 +60,11 @@ public final class SavedPlayers {
 
   private void pass(Archive a, int id, PlayerTable table, SavedEntities entities) {
     String name = a.text("name", players[id] == null ? "" : players[id].name(), MAX_NAME);
+    String account = a.text("account", a.reads() ? "" : players[id].account, Newcomer.MAX_ACCOUNT);
     if (a.reads()) {
       HostPlayer known = table.participant(id);
-      players[id] = known != null && known.name().equals(name) ? known : table.create(id, name);
+      boolean same = known != null && known.name().equals(name) && known.account.equals(account);
+      players[id] = same ? known : table.create(id, name, account);
     }
     int least = Integer.MIN_VALUE;
     int most = Integer.MAX_VALUE;

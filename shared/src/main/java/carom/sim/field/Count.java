@@ -30,6 +30,14 @@ public final class Count extends IntField<Count> {
     return startingWith(encode(value, 0));
   }
 
+  /**
+   * Returns the same field, of which the lowest value is the best, such as a time. The start counts
+   * as none.
+   */
+  public Count lowestIsBest() {
+    return with(lowestBest());
+  }
+
   @Override
   public Count startsFrom(Object value) {
     if (value instanceof Double number && number == number.intValue()) {

@@ -19,6 +19,11 @@ public final class Countdown extends IntField<Countdown> {
   }
 
   @Override
+  boolean lasts() {
+    return false;
+  }
+
+  @Override
   Countdown with(Spec changed) {
     return new Countdown(changed);
   }

@@ -15,6 +15,11 @@ public final class EntityRef extends Field<EntityRef> {
   }
 
   @Override
+  boolean lasts() {
+    return false;
+  }
+
+  @Override
   EntityRef with(Spec changed) {
     return new EntityRef(changed);
   }

@@ -16,6 +16,8 @@ import java.util.Objects;
  * s.set(DOOR_OPEN, 2, true);         // the third door
  * }</pre>
  *
+ * <p>What is {@code of(ACCOUNT)} lasts: the player's account keeps it from stay to stay.
+ *
  * <p>Without more words a field belongs to each player, is told to players near, and begins at 0,
  * false, the first constant or nobody. Fields are immutable: each of {@link #of}, {@link #to},
  * {@link #times} and {@code startsAt} returns another one. Several simulations and games may share
@@ -29,6 +31,9 @@ public abstract class Field<F extends Field<F>> {
 
   /** Most values of one field. */
   public static final int MAX_TIMES = 65_536;
+
+  /** Largest value of a {@link #count(String)} without a range. */
+  public static final int MOST_COUNTED = 1_000_000_000;
 
   private static int created;
 
@@ -49,7 +54,8 @@ public abstract class Field<F extends Field<F>> {
       int start,
       Scope scope,
       Audience audience,
-      int times) {
+      int times,
+      boolean lowestIsBest) {
     Spec {
       Objects.requireNonNull(scope, "scope");
       Objects.requireNonNull(audience, "audience");
@@ -68,23 +74,27 @@ public abstract class Field<F extends Field<F>> {
     }
 
     static Spec of(String name, String range, int min, int max, int start) {
-      return new Spec(name, range, min, max, start, Scope.PLAYER, Audience.NEAR, 1);
+      return new Spec(name, range, min, max, start, Scope.PLAYER, Audience.NEAR, 1, false);
     }
 
     Spec of(Scope newScope) {
-      return new Spec(name, range, min, max, start, newScope, audience, times);
+      return new Spec(name, range, min, max, start, newScope, audience, times, lowestIsBest);
     }
 
     Spec to(Audience newAudience) {
-      return new Spec(name, range, min, max, start, scope, newAudience, times);
+      return new Spec(name, range, min, max, start, scope, newAudience, times, lowestIsBest);
     }
 
     Spec times(int newTimes) {
-      return new Spec(name, range, min, max, start, scope, audience, newTimes);
+      return new Spec(name, range, min, max, start, scope, audience, newTimes, lowestIsBest);
+    }
+
+    Spec lowestIsBest(boolean yes) {
+      return new Spec(name, range, min, max, start, scope, audience, times, yes);
     }
 
     Spec startsAt(int newStart) {
-      return new Spec(name, range, min, max, newStart, scope, audience, times);
+      return new Spec(name, range, min, max, newStart, scope, audience, times, lowestIsBest);
     }
 
     private static boolean isName(String name) {
@@ -112,6 +122,14 @@ public abstract class Field<F extends Field<F>> {
    */
   public static Count count(String name, int min, int max) {
     return Count.create(name, min, max);
+  }
+
+  /**
+   * Creates a field for a whole number from 0 to {@value #MOST_COUNTED}, such as of wins or goals.
+   * The name is as of {@link #count(String, int, int)}.
+   */
+  public static Count count(String name) {
+    return Count.create(name, 0, MOST_COUNTED);
   }
 
   /** Creates a field for yes or no. The name is as of {@link #count}. */
@@ -179,11 +197,30 @@ public abstract class Field<F extends Field<F>> {
     return new PlayerRef(Spec.of(name, "player", 0, PlayerRef.MOST, 0));
   }
 
+  /** Returns whether a value means the same in another match. */
+  boolean lasts() {
+    return true;
+  }
+
   /** Creates a field of the same kind with another specification. */
   abstract F with(Spec changed);
 
-  /** Returns the same field for another scope. */
+  /**
+   * Returns the same field for another scope.
+   *
+   * @throws IllegalArgumentException if an account can't keep it: an entity, a player and a tick
+   *     mean something in their match alone
+   */
   public final F of(Scope scope) {
+    if (scope == Scope.ACCOUNT && !lasts()) {
+      throw new IllegalArgumentException(
+          "field "
+              + spec.name
+              + " is of kind \""
+              + spec.range
+              + "\", which means something in its match alone; an account keeps count, flag,"
+              + " choice, ratio and real");
+    }
     return with(spec.of(scope));
   }
 
@@ -233,6 +270,32 @@ public abstract class Field<F extends Field<F>> {
   /** Returns what has a value of the field. */
   public final Scope scope() {
     return spec.scope;
+  }
+
+  /** Returns the kind and its range, such as {@code count 0..100}. */
+  public final String range() {
+    return spec.range;
+  }
+
+  /** Returns whether the lowest value is the first of a best list, and not the highest. */
+  public final boolean isLowestBest() {
+    return spec.lowestIsBest;
+  }
+
+  /**
+   * Returns whether there is a best list of it: of whole numbers of accounts that all are told.
+   * Accounts that have the start aren't in it.
+   */
+  public final boolean isListed() {
+    return spec.scope == Scope.ACCOUNT
+        && spec.audience == Audience.ALL
+        && spec.times == 1
+        && this instanceof Count;
+  }
+
+  /** Returns the same specification, in which the lowest value is the best. */
+  final Spec lowestBest() {
+    return spec.lowestIsBest(true);
   }
 
   /** Returns which players are told the value. */
@@ -300,7 +363,8 @@ public abstract class Field<F extends Field<F>> {
         + (spec.times == 1 ? "" : " x" + spec.times)
         + " to "
         + spec.audience
-        + (spec.start == 0 ? "" : " starts " + show(spec.start));
+        + (spec.start == 0 ? "" : " starts " + show(spec.start))
+        + (spec.lowestIsBest ? " lowest best" : "");
   }
 
   /** Returns an exception about a value that the field can't hold. */

@@ -117,7 +117,7 @@ public interface FieldHolder<E extends FieldReader<E, P>, P extends FieldReader<
     fieldValues().write(fieldValues().word(field, index), reference(field, player));
   }
 
-  /** Sets all fields to their start values. */
+  /** Sets all fields to their start values, but for those that accounts keep. */
   default void resetFields() {
     fieldValues().reset();
   }

@@ -171,10 +171,39 @@ public final class FieldValues {
     }
   }
 
-  /** Sets all words to their start values, as a game asks for it. */
+  /** Sets all words but those of accounts to their start values, as a game asks for it. */
   void reset() {
     for (int i = 0; i < words.length; i++) {
-      write(i, starts[i]);
+      if (store.schema().field(scope, i).scope() == scope) {
+        write(i, starts[i]);
+      }
+    }
+  }
+
+  /** Returns the words that accounts keep, in the order of {@link Schema#lastingWords}. */
+  public int[] lasting() {
+    int[] at = store.schema().lastingWords();
+    int[] values = new int[at.length];
+    for (int i = 0; i < at.length; i++) {
+      values[i] = words[at[i]];
+    }
+    return values;
+  }
+
+  /**
+   * Begins with what an account has kept.
+   *
+   * @param values as {@link #lasting} returns them
+   * @throws IllegalArgumentException if there are more or fewer, or one is outside its range
+   */
+  public void begin(int[] values) {
+    int[] at = store.schema().lastingWords();
+    if (values.length != at.length) {
+      throw new IllegalArgumentException(
+          "values=" + values.length + " of an account, but the game declares " + at.length);
+    }
+    for (int i = 0; i < at.length; i++) {
+      mirror(at[i], values[i]);
     }
   }
 

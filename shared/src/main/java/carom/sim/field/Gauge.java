@@ -86,7 +86,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
   }
 
   private static Field<?> of(Scope scope, Field<?> field) {
-    if (field.scope() != scope) {
+    if (field.scope().holder() != scope) {
       throw new IllegalArgumentException(
           "a gauge shows " + scope + " here; " + field.path() + " is of " + field.scope());
     }

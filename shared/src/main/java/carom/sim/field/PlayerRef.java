@@ -13,6 +13,11 @@ public final class PlayerRef extends Field<PlayerRef> {
   }
 
   @Override
+  boolean lasts() {
+    return false;
+  }
+
+  @Override
   PlayerRef with(Spec changed) {
     return new PlayerRef(changed);
   }

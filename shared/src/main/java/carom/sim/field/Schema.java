@@ -24,7 +24,13 @@ public final class Schema {
   /** Words of one scope. */
   @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Layout(
-      Field<?>[] fields, int[] indices, int told, boolean[] shared, int[] players, int[] starts) {}
+      Field<?>[] fields,
+      int[] indices,
+      int told,
+      boolean[] shared,
+      int[] players,
+      int[] lasting,
+      int[] starts) {}
 
   private final List<Field<?>> declared;
   private final List<String> lines;
@@ -84,34 +90,28 @@ public final class Schema {
   private Layout layOut(Scope scope) {
     List<Field<?>> order = new ArrayList<>();
     for (Field<?> field : declared) {
-      if (field.scope() == scope && field.audience() != Audience.NOBODY) {
+      if (isIn(scope, field) && field.audience() != Audience.NOBODY) {
         order.add(field);
       }
     }
     int toldFields = order.size();
     for (Field<?> field : declared) {
-      if (field.scope() == scope && field.audience() == Audience.NOBODY) {
+      if (isIn(scope, field) && field.audience() == Audience.NOBODY) {
         order.add(field);
       }
     }
     long size = 0;
+    long lastingSize = 0;
     int told = 0;
     for (int i = 0; i < order.size(); i++) {
       Field<?> field = order.get(i);
       requireNewName(order, i);
       offsets[field.id() - firstId] = (int) size;
       size += field.times();
-      if (size > scope.mostWords()) {
-        throw new IllegalArgumentException(
-            "field "
-                + field.path()
-                + " makes words="
-                + size
-                + " of scope "
-                + scope
-                + ", above the limit of "
-                + scope.mostWords()
-                + "; declare fewer values with times");
+      requireRoom(field, scope, size);
+      if (field.scope() == Scope.ACCOUNT) {
+        lastingSize += field.times();
+        requireRoom(field, Scope.ACCOUNT, lastingSize);
       }
       told = i < toldFields ? (int) size : told;
     }
@@ -120,7 +120,9 @@ public final class Schema {
     boolean[] shared = new boolean[(int) size];
     int[] players = new int[(int) size];
     int[] starts = new int[(int) size];
+    int[] lasting = new int[(int) lastingSize];
     int playerCount = 0;
+    int lastingCount = 0;
     for (Field<?> field : order) {
       for (int i = 0; i < field.times(); i++) {
         int word = offsets[field.id() - firstId] + i;
@@ -131,9 +133,32 @@ public final class Schema {
         if (field instanceof PlayerRef) {
           players[playerCount++] = word;
         }
+        if (field.scope() == Scope.ACCOUNT) {
+          lasting[lastingCount++] = word;
+        }
       }
     }
-    return new Layout(fields, indices, told, shared, Arrays.copyOf(players, playerCount), starts);
+    return new Layout(
+        fields, indices, told, shared, Arrays.copyOf(players, playerCount), lasting, starts);
+  }
+
+  private static boolean isIn(Scope scope, Field<?> field) {
+    return field.scope().holder() == scope;
+  }
+
+  private static void requireRoom(Field<?> field, Scope scope, long size) {
+    if (size > scope.mostWords()) {
+      throw new IllegalArgumentException(
+          "field "
+              + field.path()
+              + " makes words="
+              + size
+              + " of scope "
+              + scope
+              + ", above the limit of "
+              + scope.mostWords()
+              + "; declare fewer values with times");
+    }
   }
 
   private static boolean isShared(Field<?> field) {
@@ -231,6 +256,14 @@ public final class Schema {
     return null;
   }
 
+  /**
+   * Returns the words of players that accounts keep, in the order of a join. The array is the live
+   * one.
+   */
+  public int[] lastingWords() {
+    return layouts[Scope.PLAYER.ordinal()].lasting;
+  }
+
   /** Returns the words of a scope that mean players. The array is the live one. */
   int[] playerWords(Scope scope) {
     return layouts[scope.ordinal()].players;
@@ -247,7 +280,7 @@ public final class Schema {
       throw new IllegalArgumentException(
           "field " + field.path() + " isn't declared; return it from Game.fields");
     }
-    if (field.scope() != scope) {
+    if (!isIn(scope, field)) {
       throw new IllegalArgumentException(
           "field " + field.path() + " belongs to scope " + field.scope() + ", not to " + scope);
     }

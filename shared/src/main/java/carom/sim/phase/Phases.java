@@ -163,6 +163,20 @@ public final class Phases<P> {
   }
 
   /**
+   * Throws where clients compute, too, which aren't told.
+   *
+   * @param what what is asked for
+   */
+  public void requireTold(String what) {
+    if (!decides || now.isPredicted() || now == Phase.FORCES) {
+      throw new IllegalStateException(
+          what
+              + " can't be asked for by what clients compute, too, as they aren't told; keep what"
+              + " you need of it in a field");
+    }
+  }
+
+  /**
    * Throws in {@code Game.rules}, which may change fields and what moves by itself only.
    *
    * @param what the call, and on what

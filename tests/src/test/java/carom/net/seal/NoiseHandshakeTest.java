@@ -59,8 +59,8 @@ final class NoiseHandshakeTest {
     assertEquals(SECOND + sealedReply, HexFormat.of().formatHex(second));
     assertArrayEquals(hex(reply), client.readSecond(second));
 
-    LinkKeys ours = LinkKeys.of(Encryption.ON, client.split(), false, 1, 1);
-    LinkKeys theirs = LinkKeys.of(Encryption.ON, server.split(), true, 1, 1);
+    LinkKeys ours = LinkKeys.of(Encryption.ON, client.split(), client.binding(), false, 1, 1);
+    LinkKeys theirs = LinkKeys.of(Encryption.ON, server.split(), server.binding(), true, 1, 1);
     frame(
         ours,
         theirs,

@@ -2,8 +2,13 @@ package carom.server.checkpoint;
 
 import carom.fuzz.FuzzTarget;
 import carom.net.snapshot.frame.EventRing;
+import carom.server.account.AccountValues;
+import carom.server.account.Stay;
 import carom.server.session.Session;
 import carom.sim.SimState;
+import carom.sim.field.Field;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.outbox.NextMatch;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
@@ -59,19 +64,34 @@ public final class SavedRoomTarget implements FuzzTarget {
             1_000,
             42,
             SavedEvents.of(new EventRing(), new Session[1]),
-            seats)
+            seats,
+            List.of())
         .toBytes();
   }
 
   @Override
   public List<byte[]> seeds() {
+    Schema schema = Schema.of(List.of(Field.count("wins").of(Scope.ACCOUNT)));
+    Stay stay = new Stay("4711", 1, AccountValues.NONE.with("duel", schema, new int[] {7}));
     byte[] full =
         room(
             List.of(
                 new SavedSeat(
-                    3, "Ann", "Ann (2)", "4711", -77, true, 1_234, 5, 1, true, 8, new int[0]),
+                    3, "Ann", "Ann (2)", "4711", -77, true, 1_234, 5, 1, true, 8, stay, new int[0]),
                 new SavedSeat(
-                    4, "Zo\u00eb", "Zo\u00eb", "", 5, false, -1, 9, 0, false, 0, new int[0])));
+                    4,
+                    "Zo\u00eb",
+                    "Zo\u00eb",
+                    "",
+                    5,
+                    false,
+                    -1,
+                    9,
+                    0,
+                    false,
+                    0,
+                    null,
+                    new int[0])));
     byte[] empty = room(List.of());
     return List.of(
         full,

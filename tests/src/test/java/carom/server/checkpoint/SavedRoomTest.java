@@ -8,9 +8,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.Protocol;
 import carom.net.snapshot.frame.EventRing;
+import carom.server.account.AccountValues;
+import carom.server.account.AccountWrite;
+import carom.server.account.Stay;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.SimState;
+import carom.sim.field.Field;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.outbox.NextMatch;
 import java.util.Arrays;
 import java.util.List;
@@ -18,6 +24,15 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: a file of seats is read as it was written, or refused with a reason. */
 class SavedRoomTest {
+  private static Stay stay() {
+    Schema schema = Schema.of(List.of(Field.count("wins").of(Scope.ACCOUNT).times(2)));
+    return new Stay("4711", 5L << 32, AccountValues.NONE.with("duel", schema, new int[] {7, 9}));
+  }
+
+  private static AccountWrite left() {
+    return AccountWrite.of(stay(), "Cid", "duel", new AccountWrite.Place("1", 4, 990), true, true);
+  }
+
   private static SavedRoom room(long physics, int layout, String config) {
     SavedSeat ann =
         new SavedSeat(
@@ -32,10 +47,11 @@ class SavedRoomTest {
             2,
             true,
             990,
+            stay(),
             new int[0]);
     SavedSeat bob =
         new SavedSeat(
-            1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, new int[0]);
+            1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, null, new int[0]);
     return new SavedRoom(
         physics,
         layout,
@@ -47,7 +63,8 @@ class SavedRoomTest {
         1_000,
         42,
         SavedEvents.of(new EventRing(), new Session[1]),
-        List.of(ann, bob));
+        List.of(ann, bob),
+        List.of(left()));
   }
 
   private static SavedRoom room() {

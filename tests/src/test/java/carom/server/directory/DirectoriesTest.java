@@ -32,15 +32,17 @@ final class DirectoriesTest {
   void postgresIsNamedAsByItsOwnTools() throws Exception {
     PostgresAddress address =
         PostgresAddress.parse(
+            "--fleet",
             "postgresql://me:ge%3Ah%2Fe%40i%25m+@a:5433,[::1]/db?targetServerType=primary",
-            new DirectoryTls(Path.of("ca.pem"), null, null), 1_000);
+            new DirectoryTls(Path.of("ca.pem"), null, null),
+            1_000);
     assertEquals("postgresql://a:5433,[::1]/db", address.shown());
     assertEquals("jdbc:postgresql://a:5433,[::1]/db?targetServerType=primary", address.jdbcUrl());
     assertEquals("me", address.properties().getProperty("user"));
     assertEquals("ge:h/e@i%m+", address.properties().getProperty("password"));
     assertEquals("verify-full", address.properties().getProperty("sslmode"));
     assertNull(
-        PostgresAddress.parse("postgresql://me@a/db", DirectoryTls.NONE, 1_000)
+        PostgresAddress.parse("--fleet", "postgresql://me@a/db", DirectoryTls.NONE, 1_000)
             .properties()
             .getProperty("password"));
     try (Directory directory = Directories.open("postgresql://a/db", DirectoryTls.NONE)) {

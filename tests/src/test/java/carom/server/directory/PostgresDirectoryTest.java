@@ -46,7 +46,8 @@ final class PostgresDirectoryTest extends RemoteDirectoryContract {
   @Override
   Directory open(List<Integer> ports, int deadlineMs) throws Exception {
     return new PostgresDirectory(
-        PostgresAddress.parse(PostgresProgram.address(ports), DirectoryTls.NONE, deadlineMs));
+        PostgresAddress.parse(
+            "--fleet", PostgresProgram.address(ports), DirectoryTls.NONE, deadlineMs));
   }
 
   @Test

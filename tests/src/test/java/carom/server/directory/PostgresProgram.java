@@ -19,11 +19,12 @@ import java.util.stream.Stream;
  * A PostgreSQL on a free port and in a folder of its own. It refuses to run as root: then it runs
  * as the user postgres of its Debian package.
  */
-final class PostgresProgram implements AutoCloseable {
+public final class PostgresProgram implements AutoCloseable {
   /** Needs to be encoded in an address. */
   static final String PASSWORD = "ge:h/e@i%m";
 
-  static final String ENCODED = "ge%3Ah%2Fe%40i%25m";
+  /** The same, encoded. */
+  public static final String ENCODED = "ge%3Ah%2Fe%40i%25m";
 
   private final Path bin;
   private final Path folder;
@@ -32,7 +33,7 @@ final class PostgresProgram implements AutoCloseable {
   private Process process;
 
   /** Starts PostgreSQL, or skips the test where that isn't possible. */
-  PostgresProgram() throws Exception {
+  public PostgresProgram() throws Exception {
     Optional<Path> initdb = Programs.find("initdb", installed());
     assumeTrue(initdb.isPresent(), "PostgreSQL isn't installed: apt-get install postgresql");
     bin = initdb.get().getParent();
@@ -99,7 +100,7 @@ final class PostgresProgram implements AutoCloseable {
   }
 
   /** Starts it, again with what it had stored. */
-  void start() throws IOException {
+  public void start() throws IOException {
     process =
         start(
             "postgres",
@@ -116,6 +117,13 @@ final class PostgresProgram implements AutoCloseable {
   }
 
   /** Waits until it answers. */
+  public void await() throws Exception {
+    try (Directory directory = Directories.open(address(List.of(port)), DirectoryTls.NONE)) {
+      await(directory);
+    }
+  }
+
+  /** Waits until it answers. */
   void await(Directory directory) throws Exception {
     for (int i = 0; ; i++) {
       try {
@@ -128,18 +136,19 @@ final class PostgresProgram implements AutoCloseable {
     }
   }
 
-  int port() {
+  /** Returns its port. */
+  public int port() {
     return port;
   }
 
   /** Returns its address behind ports of this machine. */
-  static String address(List<Integer> ports) {
+  public static String address(List<Integer> ports) {
     String hosts = String.join(",", ports.stream().map(port -> "127.0.0.1:" + port).toList());
     return "postgresql://carom:" + ENCODED + "@" + hosts + "/postgres";
   }
 
   /** Ends it at once, as a crash does. */
-  void kill() throws Exception {
+  public void kill() throws Exception {
     signal("-QUIT");
   }
 

@@ -125,6 +125,12 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     }
 
     @Override
+    public byte[] binding() {
+      LinkKeys current = connection.keys;
+      return current == null ? null : current.binding();
+    }
+
+    @Override
     public String remote() {
       return remote;
     }

@@ -1,0 +1,32 @@
+package carom.server.account;
+
+import java.util.List;
+
+/** The writes that a room has noted of accounts, as its checkpoints see them. */
+public interface AccountLog {
+  /** The log of a room that has noted nothing. */
+  AccountLog NONE =
+      new AccountLog() {
+        @Override
+        public long noted() {
+          return 0;
+        }
+
+        @Override
+        public List<AccountWrite> departed() {
+          return List.of();
+        }
+
+        @Override
+        public void resumed(List<AccountWrite> writes) {}
+      };
+
+  /** Returns how many writes the room has noted so far, which belong to ticks before now. */
+  long noted();
+
+  /** Returns the last writes of players who have left, which the store may lack. */
+  List<AccountWrite> departed();
+
+  /** Takes the last writes of players who had left an earlier run of the room. */
+  void resumed(List<AccountWrite> writes);
+}

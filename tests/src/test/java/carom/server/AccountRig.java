@@ -1,0 +1,205 @@
+package carom.server;
+
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.transport.InProcessNetwork;
+import carom.server.access.EntryRule;
+import carom.server.access.JoinTokens;
+import carom.server.account.AccountService;
+import carom.server.account.AccountStore;
+import carom.server.checkpoint.SlotDisk;
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.HandedInMatch;
+import carom.server.room.Room;
+import carom.server.session.Session;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.KeyPair;
+import java.security.KeyPairGenerator;
+import java.security.Signature;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+
+/** A server of {@link EarnGame} in virtual time, whose disk and store work when the test wants. */
+final class AccountRig implements AutoCloseable {
+  private static final KeyPair BACKEND = pair();
+
+  final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+  final Server server;
+  final AccountService accounts;
+  final List<FakeClient> clients = new ArrayList<>();
+
+  /** Steps of writing that the disk hasn't done. */
+  final ArrayDeque<Runnable> disk = new ArrayDeque<>();
+
+  long nowNs;
+
+  /**
+   * Starts a server.
+   *
+   * @param folder of checkpoints; null for none
+   * @param scratch gets the backend's key
+   */
+  AccountRig(AccountStore store, Path folder, Path scratch, long nowNs, String... rooms)
+      throws Exception {
+    this.nowNs = nowNs;
+    List<RoomConfig> configs = new ArrayList<>();
+    for (String room : rooms) {
+      configs.add(new RoomConfig(room, "", List.of("earn"), 8, 7, Map.of()));
+    }
+    server =
+        new Server(
+            ServerConfig.defaults()
+                .with(ServerConfig.STATUS_INTERVAL, 0)
+                .with(ServerConfig.GRACE, 600),
+            configs,
+            new HandedInMatch(EarnGame::new, EarnGame.level()),
+            network.server(),
+            () -> this.nowNs);
+    accounts = new AccountService(store, () -> this.nowNs);
+    server.accounts(accounts);
+    Path key = scratch.resolve("join.pem");
+    Files.writeString(
+        key,
+        "-----BEGIN PUBLIC KEY-----\n"
+            + Base64.getEncoder().encodeToString(BACKEND.getPublic().getEncoded())
+            + "\n-----END PUBLIC KEY-----\n");
+    JoinTokens tokens = JoinTokens.load(key, "us", 0, () -> Instant.ofEpochSecond(1_000));
+    server.admit(
+        new EntryRule() {
+          @Override
+          public Refusal refusal(String name, String account, String remote) {
+            return null;
+          }
+
+          @Override
+          public JoinTokens tokens() {
+            return tokens;
+          }
+        });
+    if (folder != null) {
+      SlotDisk slots = new SlotDisk(disk::add);
+      for (Room room : server.rooms()) {
+        room.checkpoint(slots, folder.resolve(room.name()), 1);
+      }
+      server.rooms().forEach(room -> room.reconcile(server.rooms()));
+    }
+    server.tick(nowNs);
+  }
+
+  private static KeyPair pair() {
+    try {
+      return KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
+    } catch (Exception e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static String base64(byte[] bytes) {
+    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+  }
+
+  private static String token(String account) throws Exception {
+    String text =
+        base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
+            + "."
+            + base64(
+                "{\"sub\":\"%s\",\"exp\":2000}"
+                    .formatted(account)
+                    .getBytes(StandardCharsets.UTF_8));
+    Signature signature = Signature.getInstance("Ed25519");
+    signature.initSign(BACKEND.getPrivate());
+    signature.update(text.getBytes(StandardCharsets.US_ASCII));
+    return text + "." + base64(signature.sign());
+  }
+
+  /** Sends a greeting in the name of an account. */
+  FakeClient hello(String account, String room, long secret) throws Exception {
+    FakeClient client = new FakeClient(network.client().connect("", 0, 0));
+    client.game = new EarnGame();
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION,
+            Protocol.physicsDigest(),
+            "P" + account,
+            secret,
+            room,
+            "",
+            token(account)));
+    clients.add(client);
+    return client;
+  }
+
+  /** Joins and plays. */
+  FakeClient join(String account, String room) throws Exception {
+    FakeClient client = hello(account, room, 0);
+    for (int i = 0; i < 300 && session(account, room) == null; i++) {
+      step();
+      work();
+    }
+    return client;
+  }
+
+  /** Does a tick, and nothing of what waits for the disk or the store. */
+  void step() {
+    nowNs += KeptServer.TICK_NS;
+    for (FakeClient client : clients) {
+      client.step(client.welcome == null ? 0 : room(client.welcome.room()).tick());
+    }
+    server.tick(nowNs);
+  }
+
+  /** Does what waits for the disk and the store. */
+  void work() {
+    while (!disk.isEmpty()) {
+      disk.poll().run();
+    }
+    while (accounts.turn()) {}
+  }
+
+  /** Plays on until everything is stored. */
+  void settle() {
+    for (int i = 0; i < 240; i++) {
+      step();
+      work();
+    }
+  }
+
+  Room room(String name) {
+    return server.rooms().stream().filter(r -> r.name().equals(name)).findAny().orElseThrow();
+  }
+
+  /** Returns the session of an account, or null. */
+  Session session(String account, String name) {
+    Room room = room(name);
+    for (int id = 0; id < room.seats().count(); id++) {
+      Session session = room.session(id);
+      if (session != null && session.seat().account().equals(account)) {
+        return session;
+      }
+    }
+    return null;
+  }
+
+  int coins(String account, String room) {
+    return session(account, room).player().get(EarnGame.COINS);
+  }
+
+  /** Returns what a room has paid to an account. */
+  int paid(String account, String room) {
+    return room(room).simulation().get(EarnGame.PAID, Integer.parseInt(account));
+  }
+
+  @Override
+  public void close() {
+    server.close();
+    work();
+  }
+}

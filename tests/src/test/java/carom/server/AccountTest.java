@@ -1,0 +1,180 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.game.Games;
+import carom.net.protocol.ClientMessage;
+import carom.replay.RecordingReader;
+import carom.replay.Replay;
+import carom.server.account.MemoryAccounts;
+import carom.sim.Role;
+import carom.sim.SimulationHost;
+import carom.sim.entity.Input;
+import carom.sim.entity.Newcomer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Goal: accounts remember. Method: whole servers in virtual time, with a store in memory. */
+final class AccountTest {
+  private final MemoryAccounts store = new MemoryAccounts();
+
+  @TempDir private Path folder;
+
+  private AccountRig rig(String... rooms) throws Exception {
+    return new AccountRig(store, null, folder, 1_000_000_000L, rooms);
+  }
+
+  private static void earn(AccountRig rig, FakeClient client, int ticks) {
+    client.input.hold(Input.ACTION, true);
+    for (int i = 0; i < ticks; i++) {
+      rig.step();
+    }
+    client.input.hold(Input.ACTION, false);
+    rig.settle();
+  }
+
+  private static void leave(AccountRig rig, FakeClient client) {
+    client.link.send(new ClientMessage.Leave());
+    rig.settle();
+  }
+
+  private int stored(String account) {
+    return store.value(account, "earn", "coins");
+  }
+
+  @Test
+  void anAccountKeepsItsCoinsFromStayToStayAndRunToRun() throws Exception {
+    int first;
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      first = rig.coins("1", "cup");
+      assertTrue(first >= 20, "coins=" + first);
+      assertEquals(first, stored("1"));
+      leave(rig, ann);
+      assertNull(rig.session("1", "cup"));
+      rig.join("1", "cup");
+      assertEquals(first, rig.coins("1", "cup"));
+      assertEquals("1", rig.session("1", "cup").player().account());
+    }
+    try (AccountRig rig = rig("cup")) {
+      rig.join("1", "cup");
+      assertEquals(first, rig.coins("1", "cup"));
+      rig.join("2", "cup");
+      assertEquals(0, rig.coins("2", "cup"));
+    }
+  }
+
+  @Test
+  void thePlayerTakesThemToAnotherRoom() throws Exception {
+    try (AccountRig rig = rig("cup", "jump")) {
+      FakeClient ann = rig.join("1", "cup");
+      for (int i = 0; i < 90; i++) {
+        rig.step();
+      }
+      ann.input.hold(Input.ACTION, true);
+      for (int i = 0; i < 20; i++) {
+        rig.step();
+      }
+      ann.link.send(new ClientMessage.ChangeRoom("jump"));
+      for (int i = 0; i < 120 && rig.session("1", "jump") == null; i++) {
+        rig.step(); // the store hears nothing of it yet
+      }
+      assertNotNull(rig.session("1", "jump"));
+      assertEquals(
+          rig.paid("1", "cup") + rig.paid("1", "jump"), rig.coins("1", "jump"), "on the way");
+      earn(rig, ann, 20);
+      int all = rig.paid("1", "cup") + rig.paid("1", "jump");
+      assertTrue(rig.paid("1", "cup") > 0 && rig.paid("1", "jump") > 0, "all=" + all);
+      assertEquals(all, stored("1"));
+    }
+  }
+
+  @Test
+  void anAccountThatPlaysTwiceGainsWhereItJoinedLast() throws Exception {
+    try (AccountRig rig = rig("cup", "jump")) {
+      FakeClient first = rig.join("1", "cup");
+      earn(rig, first, 20);
+      int before = stored("1");
+      FakeClient second = rig.join("1", "jump");
+      assertEquals(before, rig.coins("1", "jump"), "it begins with what the first one has");
+      earn(rig, first, 20);
+      assertEquals(before, stored("1"));
+      earn(rig, second, 10);
+      assertEquals(before + rig.paid("1", "jump"), stored("1"));
+      leave(rig, first);
+      assertEquals(before + rig.paid("1", "jump"), stored("1"));
+    }
+  }
+
+  @Test
+  void aStoreThatIsDownCostsTheStayAndNothingThatWasThere() throws Exception {
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      leave(rig, ann);
+      int before = stored("1");
+      store.isDown = true;
+      FakeClient again = rig.join("1", "cup");
+      assertEquals(0, rig.coins("1", "cup"), "what it has isn't known");
+      assertNull(rig.session("1", "cup").seat().stay());
+      store.isDown = false;
+      earn(rig, again, 30);
+      leave(rig, again);
+      assertEquals(before, stored("1"), "nothing is overwritten");
+      rig.join("1", "cup");
+      assertEquals(before, rig.coins("1", "cup"));
+    }
+  }
+
+  @Test
+  void aStrangerKeepsNothing() throws Exception {
+    SimulationHost s = new SimulationHost(new EarnGame(), EarnGame.level(), 1, 60, Role.AUTHORITY);
+    assertEquals("", s.join("Eve").account());
+    SimulationHost client =
+        new SimulationHost(new EarnGame(), EarnGame.level(), 1, 60, Role.PREDICTION);
+    assertThrows(
+        IllegalStateException.class, () -> client.mirror().join(0, "Eve").account(), "not told");
+    assertEquals(7, s.join(3, new Newcomer("Ann", "1", new int[] {7}), 0, 0).get(EarnGame.COINS));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> s.join(4, new Newcomer("Bob", "2", new int[] {7, 8}), 0, 0));
+  }
+
+  @Test
+  void aReplayAsksNoStore() throws Exception {
+    Path file = folder.resolve("cup.carom");
+    int coins;
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 25);
+      leave(rig, ann);
+    }
+    try (AccountRig rig = rig("cup")) {
+      rig.server.record(file);
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 25);
+      coins = rig.coins("1", "cup");
+    }
+    assertTrue(Files.exists(file) && coins > 25, "coins=" + coins);
+    Games.add(EarnGame::new);
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      int most = 0;
+      while (replay.step() == Replay.Progress.TICK) {
+        assertNull(replay.divergence());
+        if (replay.simulation().player(0) != null) {
+          most = replay.simulation().player(0).get(EarnGame.COINS);
+          assertEquals("1", replay.simulation().player(0).account());
+        }
+      }
+      assertEquals(coins, most);
+    }
+  }
+}
