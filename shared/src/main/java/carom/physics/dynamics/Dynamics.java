@@ -446,12 +446,14 @@ public final class Dynamics {
    */
   public void write(ExactRows rows) {
     sleeping.mergeWoken();
-    transfer.writeBodies(rows);
     for (int i = 0; i < rows.bodies().count(); i++) {
-      if (bodies.type[rows.slot(i)] == BodyStore.STATIC) {
-        editor.moved(rows.slot(i)); // no step measures its box anew
+      int slot = rows.slot(i);
+      if (bodies.type[slot] == BodyStore.STATIC) {
+        transfer.writeBody(slot, false, rows.bodies().ints(), rows.bodies().at(i));
+        editor.moved(slot); // no step measures its box anew; it wakes what its joints hold
       }
     }
+    transfer.writeBodies(rows);
     pairs.posesChanged();
     transfer.writeContacts(rows);
     jointTransfer.write(rows);

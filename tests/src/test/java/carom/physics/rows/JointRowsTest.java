@@ -83,6 +83,18 @@ final class JointRowsTest {
       }
     },
 
+    /** A static body among those that are taken over, which holds what rests beside a motor. */
+    POST {
+      @Override
+      void build(Rig r) {
+        Body<String> post = r.body(BodyType.STATIC, new Box(0.2f, 0.5f), -1.2f, 0.5f);
+        Body<String> plank = r.body(new Box(1, 0.3f), 0, 0.3f);
+        Body<String> fan = r.body(new Circle(0.1f), 0, 1.5f);
+        r.joint(JointDef.revolute(post, plank, -1, 0.3f));
+        r.joint(JointDef.revolute(plank, fan, 0, 1.5f).motor(20, 1));
+      }
+    },
+
     /** Gear and rack, a revolute that counts turns, a prismatic with limits. */
     GEARS {
       @Override
@@ -175,7 +187,11 @@ final class JointRowsTest {
     }
 
     Body<String> body(Shape shape, float x, float y) {
-      BodyDef def = new BodyDef(BodyType.DYNAMIC).shape(shape, RUBBER, Filter.DEFAULT);
+      return body(BodyType.DYNAMIC, shape, x, y);
+    }
+
+    Body<String> body(BodyType type, Shape shape, float x, float y) {
+      BodyDef def = new BodyDef(type).shape(shape, RUBBER, Filter.DEFAULT);
       Body<String> body = world.createBody(def.position(x, y), "part" + bodies.size());
       bodies.add(body);
       return body;
