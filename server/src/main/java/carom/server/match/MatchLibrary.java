@@ -53,7 +53,7 @@ public interface MatchLibrary {
   static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons", "lagoon", "sluice"))
+            Stream.of("commons", "lagoon", "quarry", "sluice", "towers"))
         .distinct()
         .filter(Level::isBuiltIn)
         .toList();

@@ -16,6 +16,7 @@ import carom.physics.JointType;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
+import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
@@ -59,6 +60,12 @@ public final class WorldPainter {
 
   private static final float STREAK_SECONDS = 0.11f; // of its way
 
+  /** Depths of the strata of ground under a chain, and how far it shows below the level, metres. */
+  private static final float TURF_M = 0.35f;
+
+  private static final float SOIL_M = 1.4f;
+  private static final float BELOW_M = 60;
+
   private final Canvas canvas;
   private final PictureParts parts;
   private final PlayerColours colours;
@@ -71,6 +78,7 @@ public final class WorldPainter {
   private final Splashes splashes = new Splashes();
   private final CooldownRings cooldowns = new CooldownRings();
   private final float[] streak = new float[6];
+  private final float[] stratum = new float[8];
   private final Color fill = new Color();
   private final Color edge = new Color();
   private final Color detail = new Color();
@@ -116,7 +124,7 @@ public final class WorldPainter {
     if (view.pools() != null) {
       parts.run("water and sand", () -> pools.draw(view.pools(), camera, pixelsPerMetre));
     }
-    parts.run("scenery", () -> scenery(seconds));
+    parts.run("scenery", () -> scenery(level, seconds));
     between(camera, pixelsPerMetre, () -> behindBodies(view, camera));
     parts.run("streaks", () -> streaks(view));
     parts.run("bodies", () -> bodies(view, seconds));
@@ -162,7 +170,10 @@ public final class WorldPainter {
     return scenery;
   }
 
-  private void scenery(float seconds) {
+  private void scenery(Level level, float seconds) {
+    for (Scenery s : scenery) {
+      ground(s, level.bounds().minY() - BELOW_M);
+    }
     for (Scenery s : scenery) {
       if (look.paints(s.archetype())) {
         continue;
@@ -176,6 +187,44 @@ public final class WorldPainter {
           seconds,
           glows ? glow(s.archetype(), s.x(), s.y()) : 0);
     }
+  }
+
+  /** Draws the ground under the lines of chains whose front is above, unless they look plain. */
+  private void ground(Scenery s, float bottom) {
+    if (s.archetype().appearance().look() == Appearance.Look.PLAIN) {
+      return;
+    }
+    shapes.pose(s.x(), s.y(), s.cos(), s.sin());
+    int rgb = s.archetype().appearance().rgb();
+    for (Shape shape : s.archetype().shapes()) {
+      for (Convex part : shape.parts()) {
+        if (part instanceof Segment line && line.isOneSided()) {
+          ground(line, 0, TURF_M, UiColours.shade(rgb, 1.1f, 1, fill), bottom);
+          ground(line, TURF_M, SOIL_M, UiColours.shade(rgb, 0.8f, 1, fill), bottom);
+          ground(line, SOIL_M, Float.MAX_VALUE, UiColours.shade(rgb, 0.62f, 1, fill), bottom);
+        }
+      }
+    }
+  }
+
+  /** Draws a stratum below a line, from one depth to another, at most down to a height. */
+  private void ground(Segment line, float from, float to, Color colour, float bottom) {
+    float x0 = shapes.worldX(line.vertexX(1), line.vertexY(1)); // a line runs with its front right
+    float x1 = shapes.worldX(line.vertexX(0), line.vertexY(0));
+    if (x1 <= x0) {
+      return;
+    }
+    float y0 = shapes.worldY(line.vertexX(1), line.vertexY(1));
+    float y1 = shapes.worldY(line.vertexX(0), line.vertexY(0));
+    stratum[0] = x0;
+    stratum[1] = Math.max(bottom, y0 - to);
+    stratum[2] = x1;
+    stratum[3] = Math.max(bottom, y1 - to);
+    stratum[4] = x1;
+    stratum[5] = y1 - from;
+    stratum[6] = x0;
+    stratum[7] = y0 - from;
+    canvas.convex(stratum, 4, colour);
   }
 
   private void streaks(ClientView view) {
@@ -210,8 +259,10 @@ public final class WorldPainter {
 
   private void shadows(ClientView view) {
     for (Scenery s : scenery) {
-      shapes.pose(s.x() + SHADOW_X_M, s.y() + SHADOW_Y_M, s.cos(), s.sin());
-      shadow(s.archetype(), 1);
+      if (!s.archetype().sensor()) {
+        shapes.pose(s.x() + SHADOW_X_M, s.y() + SHADOW_Y_M, s.cos(), s.sin());
+        shadow(s.archetype(), 1);
+      }
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
