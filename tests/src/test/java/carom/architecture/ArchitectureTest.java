@@ -234,6 +234,7 @@ final class ArchitectureTest {
         "carom.text");
     allow("carom.game", "carom.physics..", "carom.sim..", "carom.text");
     game("arena");
+    game("cars");
     game("platformer");
     game("rockets");
     game("shooter");
@@ -319,7 +320,8 @@ final class ArchitectureTest {
         "carom.replay",
         "carom.sim..",
         "carom.game",
-        "carom.game.rockets", // looks and brains know the fields of their games
+        "carom.game.cars", // looks and brains know the fields of their games
+        "carom.game.rockets",
         "carom.game.shooter",
         "carom.physics..");
     // The one that knows both: it starts a server in the client's process.

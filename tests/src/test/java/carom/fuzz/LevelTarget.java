@@ -42,7 +42,8 @@ final class LevelTarget implements FuzzTarget {
   @Override
   public List<byte[]> seeds() throws Exception {
     List<byte[]> seeds = new ArrayList<>();
-    for (String name : List.of("arena", "platformer", "rockets", "shooter", "lagoon", "sluice")) {
+    for (String name :
+        List.of("arena", "platformer", "rockets", "shooter", "cars", "lagoon", "sluice")) {
       seeds.add(Level.builtIn(name).source());
     }
     seeds.add(SMALL_LEVEL.getBytes(StandardCharsets.UTF_8));

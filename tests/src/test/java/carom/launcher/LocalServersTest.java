@@ -57,7 +57,8 @@ final class LocalServersTest {
   void oneCanPlayEveryLevelWithBotsAndNoNetwork() throws Exception {
     List<String> levels = levelsWithFiles();
     assertTrue(
-        levels.containsAll(List.of("arena", "platformer", "rockets", "shooter")),
+        levels.containsAll(
+            List.of("arena", "cars", "platformer", "quarry", "rockets", "shooter", "towers")),
         "levels=" + levels);
     for (String level : levels) {
       try (LocalServer game = LocalServers.start(new GameChoice(level, 3, false), 0, 0);

@@ -36,7 +36,17 @@ final class LevelCommandTest {
   @Test
   void levelsThatShipHaveNeitherProblemsNorWarnings() throws Exception {
     for (String name :
-        List.of("arena", "platformer", "rockets", "commons", "lagoon", "sluice", "shooter")) {
+        List.of(
+            "arena",
+            "platformer",
+            "rockets",
+            "commons",
+            "lagoon",
+            "sluice",
+            "shooter",
+            "cars",
+            "quarry",
+            "towers")) {
       LevelCheck check = LevelCheck.of(name, Level.builtIn(name).source());
       assertEquals(List.of(), check.problems());
       assertEquals(List.of(), check.warnings());

@@ -376,7 +376,16 @@ class LevelTest {
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
     for (String name :
-        List.of("arena", "commons", "lagoon", "platformer", "rockets", "shooter", "sluice")) {
+        List.of(
+            "arena",
+            "cars",
+            "quarry",
+            "commons",
+            "lagoon",
+            "platformer",
+            "rockets",
+            "shooter",
+            "sluice")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(level.source())));
     }
