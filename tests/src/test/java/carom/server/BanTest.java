@@ -11,9 +11,11 @@ import carom.net.kryo.server.KryoServerTransport;
 import carom.net.kryo.server.ServerIdentity;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.seal.Encryption;
+import carom.net.seal.PlayerKey;
 import carom.net.transport.Link;
 import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
@@ -228,5 +230,33 @@ final class BanTest {
     assertTrue(bob.goodbye.text().contains("spam"), bob.goodbye.text());
     assertEquals(RefusalReason.BANNED, connect("Bob").refused.reason());
     assertNotNull(join("Ann"), "same address, other name");
+  }
+
+  /** Says hello with a key, over sockets, and returns when the answer is there. */
+  private FakeClient connect(String name, PlayerKey key) throws InterruptedException {
+    FakeClient client =
+        new FakeClient(transport.connect("127.0.0.1", server.tcpPort(), server.udpPort()));
+    await(client, () -> client.link.state() == Link.State.OPEN);
+    String proof = key.proof(client.link.binding());
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION, Protocol.physicsDigest(), name, 0, "", "", proof));
+    await(client, () -> client.ready || client.refused != null);
+    return client;
+  }
+
+  @Test
+  void aBanOfAKeyGoesWithTheAddressAndBothEndTogether() throws Exception {
+    PlayerKey key = PlayerKey.random();
+    connect("Kim", key);
+    for (int i = 0; i < 400 && server.rooms().get(0).operator().players().isEmpty(); i++) {
+      Thread.sleep(5);
+    }
+    String banned = run("ban Kim");
+    assertTrue(banned.contains(key.account()) && banned.contains("127.0.0.1"), banned);
+    assertEquals(RefusalReason.BANNED, connect("Kim", key).refused.reason());
+    assertEquals(RefusalReason.BANNED, connect("Kim", PlayerKey.random()).refused.reason());
+    run("unban account " + key.account());
+    assertNotNull(connect("Kim", key).welcome);
   }
 }
