@@ -56,6 +56,9 @@ public final class Json {
   /** Column from 1. */
   public final int column;
 
+  /** Offset of the first byte in the document. */
+  public final int start;
+
   /** Text of a string, or of a number as written; empty otherwise. */
   public final String text;
 
@@ -74,6 +77,7 @@ public final class Json {
   private final Json parent;
   private final String name;
   private final int index;
+  private int end;
 
   private Json(Kind kind, Json parent, String name, int index, JsonParser p) throws IOException {
     this.kind = kind;
@@ -83,6 +87,7 @@ public final class Json {
     JsonLocation at = p.currentTokenLocation();
     line = at.getLineNr();
     column = at.getColumnNr();
+    start = (int) at.getByteOffset();
     text = kind == Kind.STRING || kind == Kind.NUMBER ? p.getText() : "";
     number = kind == Kind.NUMBER ? p.getDoubleValue() : 0;
     truth = p.currentToken() == JsonToken.VALUE_TRUE;
@@ -203,6 +208,7 @@ public final class Json {
           node.items.add(read(node, "", node.items.size()));
         }
       }
+      node.end = (int) tokens.currentLocation().getByteOffset();
       return node;
     }
 
@@ -239,6 +245,11 @@ public final class Json {
         default -> Kind.NULL;
       };
     }
+  }
+
+  /** Returns the offset behind the last byte in the document. */
+  public int end() {
+    return end;
   }
 
   /** Returns the way from the root, such as {@code bodies[3].at}; empty for the root. Allocates. */
