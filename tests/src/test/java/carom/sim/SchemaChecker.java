@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /** As much of JSON Schema as {@code level.schema.json} uses; an unknown keyword is an error. */
 public final class SchemaChecker {
@@ -25,6 +26,16 @@ public final class SchemaChecker {
   public List<String> fields(String definition) {
     Json node = definition == null ? root : root.fields.get("$defs").fields.get(definition);
     return new ArrayList<>(node.fields.get("properties").fields.keySet());
+  }
+
+  /** The fields that may stand beside the first, which each object of a definition needs. */
+  public Map<String, List<String>> kinds(String definition) {
+    Map<String, List<String>> kinds = new TreeMap<>();
+    for (Json kind : root.fields.get("$defs").fields.get(definition).fields.get("anyOf").items) {
+      List<String> fields = new ArrayList<>(kind.fields.get("properties").fields.keySet());
+      kinds.put(kind.fields.get("required").items.get(0).text, fields.subList(1, fields.size()));
+    }
+    return kinds;
   }
 
   public List<String> words(String definition) {
@@ -54,7 +65,7 @@ public final class SchemaChecker {
     boolean number = value.kind == Json.Kind.NUMBER;
     boolean text = value.kind == Json.Kind.STRING;
     return switch (keyword) {
-      case "$schema", "$defs", "title", "description" -> "";
+      case "$schema", "$defs", "title", "description", "default", "names" -> "";
       case "$ref" -> check(root.fields.get("$defs").fields.get(rule.text.substring(8)), value);
       case "type" -> when(isType(rule.text, value), value, "type " + rule.text);
       case "minimum" -> when(!number || value.number >= rule.number, value, keyword);

@@ -15,14 +15,30 @@ public final class CheckedLevel {
   private final List<LevelException> problems;
   private final Json root; // or null
   private final List<Json> items;
+  private final List<Placed> placed;
+
+  /**
+   * A body at one of the places of an item.
+   *
+   * @param path of the item in the file, such as {@code bodies[3]}
+   * @param kind what it is
+   * @param at where it is
+   */
+  public record Placed(String path, Archetype kind, Level.Placement at) {}
 
   private CheckedLevel(
-      String fileName, Level level, List<LevelException> problems, Json root, List<Json> items) {
+      String fileName,
+      Level level,
+      List<LevelException> problems,
+      Json root,
+      List<Json> items,
+      List<Placed> placed) {
     this.fileName = fileName;
     this.level = level;
     this.problems = List.copyOf(problems);
     this.root = root;
     this.items = List.copyOf(items);
+    this.placed = List.copyOf(placed);
   }
 
   /**
@@ -39,13 +55,31 @@ public final class CheckedLevel {
       Json root = Json.parse(source);
       LevelReader reader = new LevelReader(fileName, root, problems);
       Level level = problems.isEmpty() ? new Level(reader, source) : null;
-      return new CheckedLevel(fileName, level, problems, root, reader.items);
+      return new CheckedLevel(fileName, level, problems, root, reader.items, placed(reader));
     } catch (JsonException e) {
       problems.add(new LevelException(fileName, e.line(), e.column(), e.path(), e.getMessage()));
     } catch (LevelException e) {
       problems.add(e);
     }
-    return new CheckedLevel(fileName, null, problems, null, List.of());
+    return new CheckedLevel(fileName, null, problems, null, List.of(), List.of());
+  }
+
+  private static List<Placed> placed(LevelReader reader) {
+    Archetypes kinds = new Archetypes();
+    reader.archetypes.forEach(kinds::add);
+    List<Placed> placed = new ArrayList<>();
+    for (List<Level.Placement> all : List.of(reader.statics, reader.bodies)) {
+      for (Level.Placement at : all) {
+        String path = reader.items.get(at.archetype()).path();
+        placed.add(new Placed(path, kinds.get(at.archetype()), at));
+      }
+    }
+    return placed;
+  }
+
+  /** Returns the bodies of all items that can be used, even if others can't: statics first. */
+  public List<Placed> placed() {
+    return placed;
   }
 
   /** Returns the level, or null if there are problems. */

@@ -41,10 +41,10 @@ final class TriggerReader {
   static final float MAX_IMPULSE = 10_000;
 
   /** The causes of conditions, each with the fields that may stand beside it. */
-  private static final Map<String, List<String>> CAUSES = new TreeMap<>();
+  static final Map<String, List<String>> CAUSES = new TreeMap<>();
 
   /** The verbs of actions, each with the fields that may stand beside it. */
-  private static final Map<String, List<String>> VERBS = new TreeMap<>();
+  static final Map<String, List<String>> VERBS = new TreeMap<>();
 
   private static final List<String> WHO = List.of("any", "player", "body");
   private static final List<String> SCOPES = List.of("match.", "player.");
@@ -92,22 +92,6 @@ final class TriggerReader {
     for (ArchetypeDef def : level.archetypes) {
       (def.sensor ? sensors : bodies).add(def.name);
     }
-  }
-
-  /** Returns the words that a condition may hold. */
-  static Set<String> conditionFields() {
-    return all(CAUSES);
-  }
-
-  /** Returns the words that an action may hold. */
-  static Set<String> actionFields() {
-    return all(VERBS);
-  }
-
-  private static Set<String> all(Map<String, List<String>> kinds) {
-    Set<String> all = new TreeSet<>(kinds.keySet());
-    kinds.values().forEach(all::addAll);
-    return all;
   }
 
   /** Reads all triggers of a file. */

@@ -541,8 +541,8 @@ class LevelTest {
     assertEquals(LevelJointReader.BREAKS, schema.fields("breaks"));
     assertEquals(LevelReader.LOOKS, schema.words("look"));
     assertEquals(TriggerReader.TRIGGER, schema.fields("trigger"));
-    assertEquals(List.copyOf(TriggerReader.conditionFields()), schema.fields("condition"));
-    assertEquals(List.copyOf(TriggerReader.actionFields()), schema.fields("action"));
+    assertEquals(TriggerReader.CAUSES, schema.kinds("condition"));
+    assertEquals(TriggerReader.VERBS, schema.kinds("action"));
   }
 
   @Test
