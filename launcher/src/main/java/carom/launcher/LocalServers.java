@@ -6,6 +6,7 @@ import carom.net.transport.PortUnavailableException;
 import carom.server.Server;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.level.LevelCheck;
 import carom.server.match.MatchLibrary;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -38,14 +39,30 @@ public final class LocalServers implements LocalGames {
     return start(choice, TCP_PORT, UDP_PORT);
   }
 
+  @Override
+  public LocalGame start(Level level, int bots) {
+    MatchLibrary given = MatchLibrary.with(level, MatchLibrary.INSTALLED);
+    return start(new GameChoice(level.name(), bots, false), given, 0, 0);
+  }
+
+  @Override
+  public List<String> warnings(Level level) {
+    return LevelCheck.of(level.name(), level.source()).warnings();
+  }
+
   /** Starts a server on other ports, of which 0 are any; they count only if others may join. */
   static LocalServer start(GameChoice choice, int tcpPort, int udpPort) {
+    return start(choice, MatchLibrary.INSTALLED, tcpPort, udpPort);
+  }
+
+  private static LocalServer start(
+      GameChoice choice, MatchLibrary library, int tcpPort, int udpPort) {
     if (choice.bots() < 0 || choice.bots() > MAX_BOTS) {
       throw new IllegalArgumentException("bots=" + choice.bots() + " is outside 0.." + MAX_BOTS);
     }
     JoinedTransport transport = new JoinedTransport(open(choice, tcpPort, udpPort));
     try {
-      String game = MatchLibrary.INSTALLED.level(choice.level()).level().gameName();
+      String game = library.level(choice.level()).level().gameName();
       ServerConfig config =
           ServerConfig.defaults()
               .with(ServerConfig.GAME, game)
@@ -54,7 +71,7 @@ public final class LocalServers implements LocalGames {
           new Server(
               config,
               RoomConfig.equalRooms(config, List.of(choice.level())),
-              MatchLibrary.INSTALLED,
+              library,
               transport,
               System::nanoTime);
       server.start();

@@ -15,6 +15,7 @@ import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.sim.level.Level;
 import carom.suite.Needs;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -69,6 +70,27 @@ final class LocalServersTest {
         await(me, () -> me.stats().snapshots() > 10);
       }
     }
+  }
+
+  @Test
+  void aLevelThatIsInNoFileIsPlayedAndWhatIsSurelyNotMeantIsTold() throws Exception {
+    String text = new String(Level.builtIn("arena").source(), StandardCharsets.UTF_8);
+    Level level =
+        Level.parse(
+            "edited",
+            text.replace("Corner Pocket", "Edited")
+                .replace("\"ball\", \"at\": [0, 2]", "\"ball\", \"at\": [-19, 7]")
+                .getBytes(StandardCharsets.UTF_8));
+    LocalServers servers = new LocalServers();
+    try (LocalGames.LocalGame game = servers.start(level, 1);
+        GameClient me = client(game.transport(), 0, 0)) {
+      await(me, () -> me.view().phase() == ConnectionPhase.PLAYING);
+      await(me, () -> me.view().players().size() == 2);
+      assertEquals("Edited", me.view().level().name());
+    }
+    List<String> warnings = servers.warnings(level);
+    assertEquals(1, warnings.size(), warnings.toString());
+    assertTrue(warnings.get(0).contains("is inside statics"), warnings.get(0));
   }
 
   @Test

@@ -4,6 +4,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.edit.EditFile;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.replay.ReplayClient;
@@ -111,9 +112,13 @@ public final class ClientMain implements Callable<Integer> {
       ROWS.text("here", "LEVEL", "")
           .text("Start a game with this level on this machine, in this process; see --bots.");
 
+  private static final Setting<Path> EDIT =
+      ROWS.path("edit", "FILE", null)
+          .text("Edit a level file, or begin a new one if there is none; F5 plays it.");
+
   private static final Setting<Integer> BOTS =
       ROWS.whole("bots", "N", 0, LocalGames.MAX_BOTS, 0)
-          .text("Players of the machine in the game of --here, {range} ({default}).");
+          .text("Players of the machine in the game of --here or --edit, {range} ({default}).");
 
   private static final Setting<Boolean> OPEN =
       ROWS.mark("open").text("Let others join the game of --here, over the network.");
@@ -165,6 +170,9 @@ public final class ClientMain implements Callable<Integer> {
     }
     if (problem == null && !flags.get(HERE).isEmpty()) {
       problem = hereProblem();
+    }
+    if (problem == null && flags.get(EDIT) != null) {
+      problem = editProblem();
     }
     if (problem == null
         && flags.get(WATCH) != null
@@ -249,7 +257,9 @@ public final class ClientMain implements Callable<Integer> {
             flags.get(SCENE).isEmpty() ? null : Scenes.get(flags.get(SCENE)),
             flags.get(HERE).isEmpty()
                 ? null
-                : new LocalGames.GameChoice(flags.get(HERE), flags.get(BOTS), flags.get(OPEN)));
+                : new LocalGames.GameChoice(flags.get(HERE), flags.get(BOTS), flags.get(OPEN)),
+            flags.get(EDIT),
+            flags.get(BOTS));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
@@ -380,6 +390,22 @@ public final class ClientMain implements Callable<Integer> {
       return null;
     } catch (IllegalStateException e) {
       return "--here: " + e.getMessage();
+    }
+  }
+
+  private String editProblem() {
+    if (flags.get(HEADLESS)
+        || flags.get(REPLAY) != null
+        || flags.get(WATCH) != null
+        || !flags.get(SCENE).isEmpty()
+        || !flags.get(HERE).isEmpty()) {
+      return "--edit excludes --headless, --here, --replay, --scene and --watch";
+    }
+    try {
+      new EditFile(flags.get(EDIT));
+      return null;
+    } catch (IOException e) {
+      return "--edit: " + e.getMessage();
     }
   }
 

@@ -30,6 +30,8 @@ import java.nio.file.Path;
  *     from its end on; null for a whole recording
  * @param scene a scene to show instead of playing ({@code --scene NAME}); null to play
  * @param here a game to start on this machine ({@code --here LEVEL}); null for none
+ * @param edit a level file to edit instead of playing ({@code --edit FILE}); null to play
+ * @param bots players of the machine that play along on what is edited ({@code --bots N})
  */
 public record ClientOptions(
     ClientConfig config,
@@ -46,4 +48,6 @@ public record ClientOptions(
     Path replay,
     SpectatorThread spectator,
     Scene scene,
-    LocalGames.GameChoice here) {}
+    LocalGames.GameChoice here,
+    Path edit,
+    int bots) {}

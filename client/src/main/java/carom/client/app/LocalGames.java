@@ -54,6 +54,19 @@ public interface LocalGames {
    */
   LocalGame start(GameChoice choice);
 
+  /**
+   * Starts a server with a level that is in no file, such as one that is edited.
+   *
+   * @param bots players that the machine plays, 0..{@link #MAX_BOTS}
+   * @throws IllegalStateException in words for the player, when it can't be started
+   */
+  LocalGame start(Level level, int bots);
+
+  /**
+   * Returns what is legal in a level and surely not meant, as {@code carom level check} says it.
+   */
+  List<String> warnings(Level level);
+
   /** Returns the implementation of this build, or null. */
   static LocalGames find() {
     for (LocalGames games : ServiceLoader.load(LocalGames.class)) {

@@ -4,6 +4,8 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.app.ClientOptions;
 import carom.client.app.LocalGames;
+import carom.client.desktop.edit.EditHost;
+import carom.client.desktop.edit.EditScreen;
 import carom.client.desktop.game.AudioDevice;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.SceneScreen;
@@ -16,6 +18,7 @@ import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.UiColours;
+import carom.client.edit.EditFile;
 import carom.client.link.LanSearch;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
@@ -45,7 +48,7 @@ import org.slf4j.LoggerFactory;
  * The application: shows one screen at a time, and keeps what outlives a screen: fonts, sound,
  * settings, a game of this machine. Render thread only.
  */
-final class CaromWindow extends ApplicationAdapter implements SettingsHost, StartTarget {
+final class CaromWindow extends ApplicationAdapter implements SettingsHost, StartTarget, EditHost {
   /** Time between two looks at a recording that begins to arrive. */
   private static final float LOOK_SECONDS = 0.1f;
 
@@ -71,6 +74,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private AudioDevice audio;
   private EventSounds sounds;
   private Screen screen;
+
+  /** The level that is edited, also while it is played; null without. */
+  private EditScreen edited;
+
   private LocalGames.LocalGame local;
 
   /** The server is among those played on lately, or needn't be. */
@@ -127,6 +134,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       }
     } else if (options.scene() != null) {
       show(options.scene(), () -> Gdx.app.exit());
+    } else if (options.edit() != null) {
+      String problem = edit(options.edit());
+      if (!problem.isEmpty()) {
+        throw new IllegalStateException(problem); // it could be opened a moment ago
+      }
     } else if (options.here() != null) {
       playHere(options.here());
     } else if (options.connectAtOnce()) {
@@ -159,6 +171,11 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     endLocalGame();
     endWatching();
     keys.game("", List.of());
+    EditScreen left = edited;
+    edited = null;
+    if (left != null && left != screen) {
+      left.dispose();
+    }
     StartScreen start = new StartScreen(widgets, this, this, games, pictures, server().toText());
     start.message(message);
     show(start);
@@ -186,6 +203,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     game.debug(options.debug());
     game.adviceAlone(AloneAdvice.of(local != null, server()));
     noted = local != null;
+    if (edited != null) {
+      game.escape(() -> leave(""));
+    }
     show(game);
     if (local != null && !local.invitation().isEmpty()) {
       game.announce(local.invitation());
@@ -217,6 +237,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private void leave(String reason) {
     if (!(screen instanceof GameScreen left)) {
       return; // two reasons in one frame
+    }
+    if (edited != null) {
+      later(() -> backToEditor(reason));
+      return;
     }
     boolean offers = games != null && local == null && !reason.isEmpty() && !left.hasPlayed();
     later(
@@ -274,11 +298,76 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private void show(Screen next) {
     if (screen != null) {
       screen.hide();
-      screen.dispose();
+      if (screen != edited) {
+        screen.dispose();
+      }
     }
     screen = next;
     screen.show();
     screen.resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
+  }
+
+  // ---- the editor
+
+  @Override
+  public String edit(Path file) {
+    try {
+      EditScreen editor =
+          new EditScreen(canvas, fonts, widgets, new EditFile(file), options.bots(), this);
+      if (screen == null) {
+        edit(editor);
+      } else {
+        later(() -> edit(editor)); // not while the start screen handles a key
+      }
+      return "";
+    } catch (IOException e) {
+      return e.getMessage();
+    }
+  }
+
+  @Override
+  public void play(Level level, int bots) {
+    if (games == null) {
+      throw new IllegalStateException("This build can't start games; it lacks carom-launcher.");
+    }
+    local = games.start(level, bots);
+    later(this::play);
+  }
+
+  private void edit(EditScreen editor) {
+    edited = editor;
+    show(editor);
+  }
+
+  @Override
+  public String warning(Level level) {
+    List<String> warnings = games == null ? List.of() : games.warnings(level);
+    String more = warnings.size() > 1 ? " (and " + (warnings.size() - 1) + " more)" : "";
+    return warnings.isEmpty() ? "" : warnings.get(0) + more;
+  }
+
+  private void backToEditor(String reason) {
+    if (screen == edited) {
+      return; // two reasons in one frame
+    }
+    endLocalGame();
+    keys.game("", List.of());
+    show(edited);
+    edited.message(reason);
+  }
+
+  @Override
+  public void leave() {
+    if (options.edit() == null) {
+      later(() -> backTo(StartScreen.LEVELS));
+    } else {
+      Gdx.app.exit();
+    }
+  }
+
+  /** Returns whether the window stays open because changes would be lost; the editor asks then. */
+  boolean asksToStay() {
+    return edited != null && screen == edited && edited.asksToStay();
   }
 
   /** Returns the screen that is shown. */
@@ -537,7 +626,12 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
       }
       LOG.error("the screen {} failed and is left", screen.getClass().getSimpleName(), e);
       canvas.abandon();
-      start("The screen failed and was left: " + GameFault.describe(e));
+      String reason = "The screen failed and was left: " + GameFault.describe(e);
+      if (edited != null && screen != edited) {
+        backToEditor(reason);
+      } else {
+        start(reason + (edited == null ? "" : edited.rescue()));
+      }
     }
   }
 
@@ -563,6 +657,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     keepWindow();
     if (screen != null) {
       screen.dispose();
+    }
+    if (edited != null && edited != screen) {
+      edited.dispose();
     }
     if (local != null) {
       local.close();

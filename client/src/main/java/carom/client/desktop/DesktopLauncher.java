@@ -12,6 +12,7 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3Application;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3ApplicationConfiguration;
+import com.badlogic.gdx.backends.lwjgl3.Lwjgl3WindowAdapter;
 import com.badlogic.gdx.utils.GdxRuntimeException;
 
 /** Opens the client's window; found by {@code ServiceLoader} as {@link Window}. */
@@ -52,6 +53,13 @@ public final class DesktopLauncher implements Window {
 
   private static int run(CaromWindow window, Lwjgl3ApplicationConfiguration settings) {
     try {
+      settings.setWindowListener(
+          new Lwjgl3WindowAdapter() {
+            @Override
+            public boolean closeRequested() {
+              return !window.asksToStay();
+            }
+          });
       new Lwjgl3Application(window, settings);
       return 0;
     } catch (RuntimeException | Error e) {

@@ -75,6 +75,9 @@ final class GameScreen extends ScreenAdapter {
   private float secondsPlayed;
   private boolean played;
 
+  /** Runs at Esc instead of the menu; null for the menu. */
+  private Runnable escape;
+
   /**
    * Creates a screen without a client; call {@link #client} next.
    *
@@ -155,6 +158,12 @@ final class GameScreen extends ScreenAdapter {
   /** Sets what a player is told who waits alone for others. */
   void adviceAlone(UnaryOperator<String> ofRoom) {
     picture.adviceAlone(ofRoom);
+  }
+
+  /** Sets what Esc and F5 do, instead of the menu. */
+  void escape(Runnable action) {
+    escape = action;
+    announce("Esc: back to the editor");
   }
 
   /** Returns what the picture shows of the world. */
@@ -286,6 +295,10 @@ final class GameScreen extends ScreenAdapter {
             }
             if (conversation.isWriting()) {
               return conversation.key(key, isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT));
+            }
+            if (escape != null && (key == Keys.ESCAPE || key == Keys.F5)) {
+              escape.run();
+              return true;
             }
             switch (key) {
               case Keys.F2 -> rooms.toggle();

@@ -79,6 +79,25 @@ public interface MatchLibrary {
   }
 
   /**
+   * Returns a library that has a level that is in no file, by its title.
+   *
+   * @param otherwise finds games, and all other levels
+   */
+  static MatchLibrary with(Level level, MatchLibrary otherwise) {
+    return new MatchLibrary() {
+      @Override
+      public Game game(String name) {
+        return otherwise.game(name);
+      }
+
+      @Override
+      public LoadedLevel level(String name) throws LevelException {
+        return name.equals(level.name()) ? new LoadedLevel(level) : otherwise.level(name);
+      }
+    };
+  }
+
+  /**
    * Returns a library that tells whenever it gives a game.
    *
    * @param gives runs before, on the thread that asks

@@ -2,6 +2,7 @@ package carom.client.desktop;
 
 import carom.client.app.ClientMain;
 import carom.client.app.LocalGames;
+import carom.client.desktop.edit.EditScreen;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.hud.Readiness;
@@ -14,10 +15,14 @@ import carom.client.view.ClientView;
 import carom.game.rockets.RocketGame;
 import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
+import carom.sim.level.Level;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.InputMultiplexer;
+import com.badlogic.gdx.InputProcessor;
 import com.badlogic.gdx.Screen;
 import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.scenes.scene2d.Actor;
 import com.badlogic.gdx.scenes.scene2d.Group;
 import com.badlogic.gdx.scenes.scene2d.Stage;
@@ -25,6 +30,7 @@ import com.badlogic.gdx.scenes.scene2d.ui.ScrollPane;
 import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
 import com.badlogic.gdx.scenes.scene2d.ui.TextField;
 import java.awt.Robot;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.lang.reflect.Field;
 import java.nio.file.Path;
@@ -53,8 +59,8 @@ final class ScreenTour {
   /**
    * Runs the program.
    *
-   * @param args {@code menus}, {@code game}, {@code others}, {@code ways} or {@code replay}; folder
-   *     for pictures; the client's flags
+   * @param args {@code menus}, {@code game}, {@code others}, {@code ways}, {@code edit} or {@code
+   *     replay}; folder for pictures; the client's flags
    */
   public static void main(String[] args) {
     Thread guide = new Thread(() -> guide(args[0], Path.of(args[1])), "guide");
@@ -76,6 +82,7 @@ final class ScreenTour {
         case "game" -> guided.game();
         case "others" -> guided.others();
         case "ways" -> guided.ways();
+        case "edit" -> guided.edit();
         default -> guided.replay();
       }
       System.out.println("pictures " + guided.pictures);
@@ -91,7 +98,9 @@ final class ScreenTour {
 
   private void menus() throws Exception {
     for (String page :
-        new String[] {"Join a server", "Play here", "Replays", "Scenes", "Settings"}) {
+        new String[] {
+          "Join a server", "Play here", "Replays", "Edit a level", "Scenes", "Settings"
+        }) {
       press(page);
       frames(10); // levels are drawn one by one
       look(page);
@@ -210,6 +219,72 @@ final class ScreenTour {
     }
   }
 
+  /** Places a box and a plate, undoes, saves, plays what isn't saved, and comes back. */
+  private void edit() throws Exception {
+    until(() -> window().screen() instanceof EditScreen);
+    EditScreen screen = (EditScreen) window().screen();
+    frames(3);
+    hit(KeyEvent.VK_B);
+    drag(screen, 0, 3, 2, 4);
+    require(screen.editor().source().list("statics").size() == 4, "a drag places a box");
+    look("a box");
+    robot.keyPress(KeyEvent.VK_CONTROL);
+    hit(KeyEvent.VK_Z);
+    require(screen.editor().source().list("statics").size() == 3, "Ctrl+Z takes it back");
+    hit(KeyEvent.VK_Y);
+    hit(KeyEvent.VK_S);
+    robot.keyRelease(KeyEvent.VK_CONTROL);
+    until(() -> !Gdx.input.isKeyPressed(Keys.CONTROL_LEFT));
+    require(Level.load(Path.of("edited.json")).statics().size() == 4, "Ctrl+S saves what there is");
+    hit(KeyEvent.VK_S);
+    drag(screen, -12, 0, -10, 0.5f);
+    hit(KeyEvent.VK_T);
+    require(screen.editor().source().list("triggers").size() == 1, "T makes a trigger");
+    look("a trigger");
+    hit(KeyEvent.VK_F5);
+    until(() -> screen() != null && screen().view().own() != null);
+    require(screen().view().level().triggers().size() == 1, "what isn't saved is played");
+    until(() -> screen().view().players().size() == 2); // the bot
+    hit(KeyEvent.VK_ESCAPE);
+    until(() -> window().screen() == screen);
+    require(screen.asksToStay(), "closing the window would lose the trigger");
+    look("a question");
+  }
+
+  /** Presses a key of the keyboard, and waits until the window has taken it. */
+  private void hit(int key) throws Exception {
+    robot.keyPress(key);
+    Thread.sleep(60);
+    robot.keyRelease(key);
+    Thread.sleep(60);
+    frames(3);
+  }
+
+  /** Drags the mouse between places of a level, metres. */
+  private void drag(EditScreen screen, float fromX, float fromY, float toX, float toY)
+      throws Exception {
+    move(screen, fromX, fromY);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    Thread.sleep(60);
+    move(screen, (fromX + toX) / 2, (fromY + toY) / 2);
+    move(screen, toX, toY);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    Thread.sleep(60);
+    frames(3);
+  }
+
+  private void move(EditScreen screen, float x, float y) throws Exception {
+    CompletableFuture<int[]> at = new CompletableFuture<>();
+    run(
+        () -> {
+          Vector3 pixel = screen.camera().toScreen(x, y);
+          at.complete(new int[] {(int) pixel.x, Gdx.graphics.getHeight() - (int) pixel.y});
+        });
+    robot.mouseMove(at.get()[0], at.get()[1]);
+    Thread.sleep(60);
+    frames(2);
+  }
+
   private void replay() throws Exception {
     until(() -> window().screen() instanceof ReplayScreen);
     look("replay");
@@ -222,7 +297,7 @@ final class ScreenTour {
     return window().screen() instanceof GameScreen game ? game : null;
   }
 
-  private static com.badlogic.gdx.InputProcessor input() {
+  private static InputProcessor input() {
     return Gdx.input.getInputProcessor();
   }
 
@@ -292,7 +367,8 @@ final class ScreenTour {
         () -> {
           ScreenCheck check =
               new ScreenCheck(name, Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
-          boolean menu = input() instanceof Stage; // over a game, which it darkens
+          Stage stage = stage();
+          boolean menu = stage != null; // over a game, which it darkens
           Hud hud =
               menu
                   ? null
@@ -311,11 +387,23 @@ final class ScreenTour {
             check.hud(hud, window().screen() instanceof GameScreen game ? game : null, pixels);
           }
           if (menu) {
-            check.menu((Stage) input(), pixels);
+            check.menu(stage, pixels);
           }
           pixels.dispose();
           check.problems().forEach(problem -> System.out.println("problem: " + problem));
         });
+  }
+
+  /** Returns the parts of the menu or editor that is shown, or null. */
+  private static Stage stage() {
+    if (input() instanceof InputMultiplexer several) {
+      for (InputProcessor each : several.getProcessors()) {
+        if (each instanceof Stage stage) {
+          return stage;
+        }
+      }
+    }
+    return input() instanceof Stage stage ? stage : null;
   }
 
   private static void run(Runnable action) throws Exception {

@@ -55,9 +55,9 @@ final class ScreensTest {
   @Test
   void thePagesOfTheStartScreen() throws Exception {
     for (Look look : LOOKS) {
-      assertInOrder("menus", look, 7);
+      assertInOrder("menus", look, 8);
     }
-    assertInOrder("menus", new Look(1_280, 720, 200, "colour-blind"), 7);
+    assertInOrder("menus", new Look(1_280, 720, 200, "colour-blind"), 8);
   }
 
   @Test
@@ -71,6 +71,14 @@ final class ScreensTest {
   void aLargeLevelAloneAndPlayersWithHealth() throws Exception {
     for (Look look : LOOKS) {
       assertInOrder("others", look, 2);
+    }
+  }
+
+  @Test
+  void theEditorPlacesUndoesSavesAndPlays() throws Exception {
+    for (Look look : LOOKS) {
+      Files.deleteIfExists(folder.resolve("edited.json"));
+      assertInOrder("edit", look, 3, "--edit", "edited.json", "--bots", "1");
     }
   }
 

@@ -1,5 +1,6 @@
 package carom.client.desktop;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -16,8 +17,10 @@ import carom.sim.level.Level;
 import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -81,6 +84,23 @@ final class StartFlagsTest {
       assertShows("--host", address);
       assertShows("--watch", "--host", address);
     }
+  }
+
+  @Test
+  void aLevelThatCanNotBeEditedIsNamedWithItsLineBeforeAWindowOpens() throws Exception {
+    Path broken = folder.resolve("broken.json");
+    Files.writeString(broken, "{\n  \"name\" \"x\"\n}\n");
+    PrintStream out = System.err;
+    ByteArrayOutputStream said = new ByteArrayOutputStream();
+    System.setErr(new PrintStream(said, true, UTF_8));
+    try {
+      assertEquals(2, ClientMain.run("--edit", broken.toString()));
+      assertEquals(2, ClientMain.run("--edit", "new.json", "--headless"));
+    } finally {
+      System.setErr(out);
+    }
+    assertTrue(said.toString(UTF_8).contains(broken + ":2:"), said.toString(UTF_8));
+    assertTrue(said.toString(UTF_8).contains("--edit excludes"), said.toString(UTF_8));
   }
 
   /** Starts a window with flags, and asserts that it shows more than a bare ground. */

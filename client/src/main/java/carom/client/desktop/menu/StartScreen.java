@@ -33,6 +33,9 @@ public final class StartScreen extends ScreenAdapter {
   /** Name of the page of scenes. */
   public static final String SCENES = "Scenes";
 
+  /** Name of the page of levels to edit. */
+  public static final String LEVELS = "Edit a level";
+
   private final Widgets widgets;
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final Map<String, Page> pages = new LinkedHashMap<>();
@@ -66,6 +69,7 @@ public final class StartScreen extends ScreenAdapter {
     }
     pages.put("Join a server", join);
     pages.put(REPLAYS, new ReplaysPage(widgets, target, Path.of(""), rebuild));
+    pages.put(LEVELS, new LevelsPage(widgets, target, games, Path.of(""), rebuild));
     pages.put(SCENES, new ScenesPage(widgets, target));
     pages.put("Settings", new SettingsPage(widgets, host, stage, rebuild));
     quit = new QuitPage(widgets, this::back, target::quit);
@@ -73,7 +77,7 @@ public final class StartScreen extends ScreenAdapter {
     entering = true;
   }
 
-  /** Shows the page of this name, {@link #REPLAYS} or {@link #SCENES}. */
+  /** Shows the page of this name, {@link #REPLAYS}, {@link #LEVELS} or {@link #SCENES}. */
   public void open(String name) {
     turn(pages.get(name));
   }

@@ -36,6 +36,9 @@ public interface StartTarget {
   /** Shows a recording. Returns why it can't, in words for the player; empty if it can. */
   String replay(Path file);
 
+  /** Edits a level file, or begins a new one. Returns why it can't, or an empty text. */
+  String edit(Path file);
+
   /** Shows a scene. */
   void scene(Scene scene);
 

@@ -31,7 +31,7 @@ import com.badlogic.gdx.utils.Scaling;
  */
 public final class Widgets implements Disposable {
   /** Height of a field or button. */
-  static final float HEIGHT = 36;
+  public static final float HEIGHT = 36;
 
   private static final float BAR_GAP = 12;
 
@@ -73,34 +73,34 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns how many pixels a point has. */
-  float scale() {
+  public float scale() {
     return fonts.scale();
   }
 
   /** Returns a line of text. */
-  Label label(String text) {
+  public Label label(String text) {
     return label(text, fonts.text(), UiColours.TEXT);
   }
 
   /** Returns a line of text that steps back. */
-  Label muted(String text) {
+  public Label muted(String text) {
     return label(text, fonts.text(), UiColours.MUTED);
   }
 
   /** Returns a line of small text that steps back. */
-  Label small(String text) {
+  public Label small(String text) {
     return label(text, fonts.small(), UiColours.MUTED);
   }
 
   /** Returns small text that steps back and is broken into lines. */
-  Label note(String text) {
+  public Label note(String text) {
     Label label = small(text);
     label.setWrap(true);
     return label;
   }
 
   /** Returns a heading. */
-  Label heading(String text) {
+  public Label heading(String text) {
     return label(text, fonts.large(), UiColours.TEXT);
   }
 
@@ -110,7 +110,7 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a text of several lines that says what is wrong. */
-  Label problem(String text) {
+  public Label problem(String text) {
     Label label = label(text, fonts.text(), UiColours.BAD);
     label.setWrap(true);
     return label;
@@ -121,18 +121,18 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a button. */
-  TextButton button(String text, Runnable action) {
+  public TextButton button(String text, Runnable action) {
     return button(text, fonts.text(), UiColours.TEXT, plain, over, focused, action);
   }
 
   /** Returns the button that a page is there for. */
-  TextButton primary(String text, Runnable action) {
+  public TextButton primary(String text, Runnable action) {
     return button(
         text, fonts.large(), UiColours.BACKDROP, accent, accentOver, accentFocused, action);
   }
 
   /** Returns a button that is a line of a list. */
-  TextButton row(String text, Runnable action) {
+  public TextButton row(String text, Runnable action) {
     TextButton row = button(text, action);
     row.getLabel().setAlignment(Align.left);
     row.getLabel().setEllipsis(true);
@@ -141,7 +141,7 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a button that is a line of a list, with a second text at its right. */
-  TextButton row(String text, Label right, Runnable action) {
+  public TextButton row(String text, Label right, Runnable action) {
     TextButton row = row(text, action);
     row.add(right).padLeft(12);
     return row;
@@ -203,7 +203,7 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a field for a line of text. */
-  TextField field(String text, int maxLength) {
+  public TextField field(String text, int maxLength) {
     TextField.TextFieldStyle style = new TextField.TextFieldStyle();
     style.font = fonts.text();
     style.fontColor = UiColours.TEXT;
@@ -218,14 +218,14 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a square of a colour, as the player's palette shows it. */
-  Image swatch(int rgb) {
+  public Image swatch(int rgb) {
     Image square = new Image(white);
     UiColours.shade(rgb, 1, 1, square.getColor());
     return square;
   }
 
   /** Returns an empty panel. */
-  Table panel() {
+  public Table panel() {
     Table table = new Table();
     table.setBackground(panel);
     table.pad(22);
@@ -233,7 +233,7 @@ public final class Widgets implements Disposable {
   }
 
   /** Returns a frame that scrolls what is too high for it; keeps its bar off the content. */
-  ScrollPane scroll(Table content) {
+  public ScrollPane scroll(Table content) {
     content.padRight(BAR_GAP);
     ScrollPane.ScrollPaneStyle style = new ScrollPane.ScrollPaneStyle();
     style.vScrollKnob = bar;
