@@ -258,7 +258,7 @@ final class GameScreen extends ScreenAdapter {
             new Hint("F1", "these keys"),
             new Hint("F2", "rooms"),
             new Hint("F3", "net graph"),
-            new Hint("Esc", "menu")));
+            new Hint("Esc", escape == null ? "menu" : "back to the editor")));
     return hinted;
   }
 

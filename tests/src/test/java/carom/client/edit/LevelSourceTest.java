@@ -3,6 +3,7 @@ package carom.client.edit;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import carom.server.match.MatchLibrary;
 import carom.sim.level.Level;
 import carom.text.Json;
 import java.nio.charset.StandardCharsets;
@@ -19,8 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
  * in several layouts are changed, and compared line by line.
  */
 final class LevelSourceTest {
-  private static final List<String> SHIPPED =
-      List.of("arena", "commons", "lagoon", "platformer", "rockets", "shooter", "sluice");
+  private static final List<String> SHIPPED = MatchLibrary.builtInLevels();
 
   private static final List<String> ORDER = List.of("name", "at", "angle", "shape");
 
