@@ -42,6 +42,7 @@ final class Track {
   /** Force at which a joint between planks breaks, N. */
   private static final float STRENGTH = 750;
 
+  private static final String[] HINGES = hinges();
   private static final Material METAL = new Material(0.9f, 0.3f, 0.1f);
   private static final Material RUBBER = new Material(0.9f, 1.3f, 0.05f);
   private static final Material CRATE = new Material(0.3f, 0.5f, 0);
@@ -209,9 +210,17 @@ final class Track {
     return Math.max(2, Math.round((zone.maxX() - zone.minX()) / PLANK));
   }
 
-  /** Returns the name of a joint of a bridge, 0 and up. */
+  /** Returns the name of a joint of a bridge, 0 and up; the same object each time. */
   static String hinge(int i) {
-    return "hinge." + i;
+    return HINGES[i];
+  }
+
+  private static String[] hinges() {
+    String[] names = new String[AssemblyDef.MAX_BODIES];
+    for (int i = 0; i < names.length; i++) {
+      names[i] = "hinge." + i;
+    }
+    return names;
   }
 
   private static String plank(int i) {
