@@ -16,6 +16,8 @@ import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: the rules of a race. Method: the shipped levels; two players who do as they are told. */
@@ -143,6 +145,10 @@ final class CarsGameTest {
     }
     assertEquals(MatchPhase.OVER, MatchClock.phase(s));
     assertEquals(ann.id(), MatchClock.winner(s));
+    List<String> said = new ArrayList<>();
+    s.outbox().drainNotices(said::add);
+    String last = said.get(said.size() - 1);
+    assertTrue(last.matches("ann wins in [0-9.]+ s, [0-9]+ m ahead of ben"), last);
     assertEquals(2, ben.get(CarsFields.PLACE));
   }
 
