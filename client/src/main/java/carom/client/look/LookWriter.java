@@ -225,7 +225,7 @@ final class LookWriter {
     Field<?> field = value.field();
     boolean real = field instanceof FloatField<?>;
     json.writeObjectFieldStart(name);
-    json.writeStringField("scope", field.scope().name().toLowerCase(Locale.ROOT));
+    json.writeStringField("scope", field.scope().holder().name().toLowerCase(Locale.ROOT));
     json.writeStringField("field", field.name());
     json.writeStringField(
         "type",
