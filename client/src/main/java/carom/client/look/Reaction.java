@@ -1,8 +1,8 @@
 package carom.client.look;
 
 /**
- * What the picture of a body does when it is struck: it is squeezed along the blow and springs
- * back, lights up, or sticks for a moment before it catches up. It is part of the picture only, and
+ * A reaction of a body's picture to a blow: it is squeezed along the blow and springs back, lights
+ * up, or sticks for a moment before it catches up. It is part of the picture only, and
  * needs a sprite. With {@link ViewSetup#event} it happens to the event's first entity. Each method
  * changes it and returns it, and throws {@link IllegalArgumentException} for a value outside its
  * range.

@@ -8,7 +8,7 @@ import carom.client.view.ClientView.Drawn;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector2;
 
-/** What struck bodies show of their blows, see {@link Reaction}. Render thread only. */
+/** Keeps how struck bodies react, see {@link Reaction}. Render thread only. */
 final class Reactions {
   /** Time in which a body that was held catches up, seconds. */
   private static final float CATCH_UP_SECONDS = 0.1f;
@@ -21,7 +21,7 @@ final class Reactions {
 
   private static final float FADE = 4;
 
-  /** What one body shows. */
+  /** The reaction of one body. */
   static final class Shown extends SeenEntities.Seen {
     private Reaction reaction;
     private float share;
