@@ -1,9 +1,10 @@
 package carom.client.look;
 
 /**
- * Draws figures, texts and pictures over the picture, for a {@link HudPainter}. Lengths are points, from the lower left
- * corner of the window; a point is a pixel unless the screen is dense. Colours are 0xRRGGBB, alpha
- * goes from 0 to 1. Later figures cover earlier ones. Only for the call that got it.
+ * Draws figures, texts and pictures over the picture, for a {@link HudPainter}. Lengths are points,
+ * from the lower left corner of the window; a point is a pixel unless the screen is dense. Colours
+ * are 0xRRGGBB, alpha goes from 0 to 1. Later figures cover earlier ones. Only for the call that
+ * got it.
  */
 public interface HudCanvas {
   /** Returns the width of the window. */

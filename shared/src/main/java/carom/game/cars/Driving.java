@@ -59,7 +59,7 @@ final class Driving {
       return; // a client that doesn't simulate the car
     }
     boolean waits = p.get(HELD) > 0 || MatchClock.phase(s) == MatchPhase.COUNTDOWN;
-    boolean grounded = touches(rear.b()) | touches(front.b());
+    boolean grounded = touches(rear.b()) || touches(front.b());
     float throttle = waits ? 0 : in.moveX();
     boolean boosts = !waits && in.held(Input.ACTION) && p.get(NITRO) > 0;
     burn(s, p, car, boosts);

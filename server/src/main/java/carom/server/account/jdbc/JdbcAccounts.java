@@ -24,6 +24,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
+import org.postgresql.Driver;
 
 /**
  * Accounts in a database: two tables of the schema {@code carom}, which it creates if they aren't
@@ -119,7 +120,7 @@ public final class JdbcAccounts implements AccountStore {
   public static JdbcAccounts postgres(String address) throws IOException {
     PostgresAddress to = PostgresAddress.parse("--store", address, DirectoryTls.NONE, DEADLINE_MS);
     return new JdbcAccounts(
-        to.shown(), () -> new org.postgresql.Driver().connect(to.jdbcUrl(), to.properties()));
+        to.shown(), () -> new Driver().connect(to.jdbcUrl(), to.properties()));
   }
 
   @Override
