@@ -119,8 +119,7 @@ public final class JdbcAccounts implements AccountStore {
    */
   public static JdbcAccounts postgres(String address) throws IOException {
     PostgresAddress to = PostgresAddress.parse("--store", address, DirectoryTls.NONE, DEADLINE_MS);
-    return new JdbcAccounts(
-        to.shown(), () -> new Driver().connect(to.jdbcUrl(), to.properties()));
+    return new JdbcAccounts(to.shown(), () -> new Driver().connect(to.jdbcUrl(), to.properties()));
   }
 
   @Override
