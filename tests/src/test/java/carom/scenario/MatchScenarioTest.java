@@ -1,5 +1,6 @@
 package carom.scenario;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -24,6 +25,7 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -196,6 +198,9 @@ class MatchScenarioTest {
       SimulationHost arena = stepper.room().simulation();
       arena.player(0).score(7);
       assertEquals(1, arena.player(0).team());
+      int[] kept = arena.player(0).fieldValues().lasting();
+      Arrays.fill(kept, 5);
+      arena.player(0).fieldValues().begin(kept);
       arena.playNext(NextMatch.game("platformer").keepingScores());
       stepper.runUntil(
           "plays the other game",
@@ -206,6 +211,8 @@ class MatchScenarioTest {
           5);
       assertEquals(7, stepper.room().simulation().player(0).score());
       assertEquals(0, stepper.room().simulation().player(0).team());
+      int[] begun = stepper.room().simulation().player(0).fieldValues().lasting();
+      assertArrayEquals(new int[begun.length], begun, "what lasts of another game");
       stepper.runUntil(
           "is told",
           () -> ann.view().players().size() == 1 && ann.view().players().get(0).score() == 7,

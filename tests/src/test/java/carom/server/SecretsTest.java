@@ -138,7 +138,7 @@ final class SecretsTest {
         String name = folder.relativize(file).toString().replace(File.separatorChar, '/');
         boolean own =
             name.matches(
-                "err|data/(bans|allow|admin)\\.txt|data/(recordings|saves)/.*|data/logs/c.*");
+                "err|data/(bans|allow|admin)\\.txt|data/accounts\\.mv\\.db|data/(recordings|saves)/.*|data/logs/c.*");
         if (!own) {
           byte[] bytes = Files.readAllBytes(file);
           kept.put(file, new String(bytes, StandardCharsets.ISO_8859_1));

@@ -75,7 +75,7 @@ final class RoomAccounts implements AccountLog {
    * @param before the player in the present match
    */
   Newcomer newcomer(Seats.Seat seat, HostPlayer before, SimulationHost next) {
-    boolean same = next.schema().digest() == room.simulation().schema().digest();
+    boolean same = next.schema().digest() == before.fieldValues().schema().digest();
     int[] words =
         seat.stay() != null
             ? seat.stay().values().words(next.game().name(), next.schema())

@@ -180,6 +180,11 @@ public final class FieldValues {
     }
   }
 
+  /** Returns the fields of the game that these are values of. */
+  public Schema schema() {
+    return store.schema();
+  }
+
   /** Returns the words that accounts keep, in the order of {@link Schema#lastingWords}. */
   public int[] lasting() {
     int[] at = store.schema().lastingWords();

@@ -42,6 +42,9 @@ final class WindowPlayer {
   private static final long LIMIT_NS = 60_000_000_000L;
   private static final int TOLERANCE = 24;
 
+  /** A car's middle is its window; its paint is around it. */
+  private static final int AROUND_PX = 28;
+
   /** Least number of looks at the own body in a room. */
   private static final int LOOKS = 5;
 
@@ -353,8 +356,8 @@ final class WindowPlayer {
           int h = Gdx.graphics.getHeight();
           Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, w, h);
           int count = 0;
-          for (int dy = -12; dy <= 12; dy++) {
-            for (int dx = -12; dx <= 12; dx++) {
+          for (int dy = -AROUND_PX; dy <= AROUND_PX; dy++) {
+            for (int dx = -AROUND_PX; dx <= AROUND_PX; dx++) {
               int x = Math.round(at.x) + dx;
               int y = Math.round(at.y) + dy;
               if (x >= 0 && y >= 0 && x < w && y < h) {

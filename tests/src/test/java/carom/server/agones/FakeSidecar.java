@@ -167,12 +167,12 @@ final class FakeSidecar implements AutoCloseable {
   }
 
   private void watch(HttpExchange exchange) throws IOException {
-    watches.incrementAndGet();
     exchange.sendResponseHeaders(200, 0);
     synchronized (this) {
       streams.add(exchange);
       line(exchange);
     }
+    watches.incrementAndGet(); // it can be broken from now on
   }
 
   private void line(HttpExchange exchange) throws IOException {

@@ -68,10 +68,10 @@ public final class ThinPicture {
    *
    * @param of all parts of the tick
    * @param input count of the input that was used last
-   * @return false if it is late and must be ignored
+   * @return false if it is late, or none of a match, and must be ignored
    */
   public synchronized boolean snapshot(int newTick, int of, int input, long nowNs) {
-    if (newTick < tick) {
+    if (newTick < tick || player < 0) {
       return false;
     }
     if (newTick > tick) {
