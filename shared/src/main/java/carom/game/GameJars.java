@@ -21,6 +21,12 @@ import java.util.List;
  * those that run go on with theirs.
  */
 public final class GameJars {
+  /** Folder of a jar in which games' looks are as data, by the games' names. */
+  public static final String LOOKS = "carom/looks/";
+
+  /** Largest file of a look, bytes. */
+  public static final int MAX_LOOK_BYTES = 24 << 20;
+
   private static volatile ClassLoader loader = GameJars.class.getClassLoader();
   private static Path folder;
   private static String taken = "";

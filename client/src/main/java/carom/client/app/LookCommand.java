@@ -2,6 +2,7 @@ package carom.client.app;
 
 import carom.client.look.GameView;
 import carom.client.look.LookFolder;
+import carom.game.GameJars;
 import carom.options.BadFlag;
 import carom.text.FileErrors;
 import java.io.IOException;
@@ -102,7 +103,7 @@ public final class LookCommand implements Callable<Integer> {
   private void write(List<GameView> views, Path root, String name) throws IOException {
     for (GameView view : views) {
       int files = LookFolder.write(view, root);
-      String place = LookFolder.PLACE + "/" + view.game();
+      String place = GameJars.LOOKS + view.game();
       spec.commandLine().getOut().println(name + ": " + place + ", files=" + files);
     }
     spec.commandLine().getOut().flush();

@@ -1,6 +1,7 @@
 package carom.client.look;
 
 import carom.game.GameFault;
+import carom.game.GameJars;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,21 +15,15 @@ import java.util.Set;
  * that plays, without loading the view. The format is in docs/protocol/THIN.md.
  */
 public final class LookFolder {
-  /** The folder of all looks in a jar. */
-  public static final String PLACE = "carom/looks";
-
-  /** Largest file, bytes. */
-  public static final int MAX_BYTES = 24 << 20;
-
   private LookFolder() {}
 
   /**
    * Writes a view's look.
    *
-   * @param root folder, or root of a jar, in which {@value #PLACE} is made
+   * @param root folder, or root of a jar, in which {@link GameJars#LOOKS} is made
    * @return the number of files
-   * @throws IOException if a file of the view isn't there or is larger than {@link #MAX_BYTES}, or
-   *     the folder can't be written
+   * @throws IOException if a file of the view isn't there or is larger than {@link
+   *     GameJars#MAX_LOOK_BYTES}, or the folder can't be written
    * @throws IllegalArgumentException if the view fails, with the place in it
    */
   public static int write(GameView view, Path root) throws IOException {
@@ -42,10 +37,11 @@ public final class LookFolder {
     Map<String, String> names = names(setup);
     Map<String, byte[]> contents = new LinkedHashMap<>();
     for (Map.Entry<String, String> file : names.entrySet()) {
-      contents.put(file.getValue(), LookFiles.read(view.getClass(), file.getKey(), MAX_BYTES));
+      contents.put(
+          file.getValue(), LookFiles.read(view.getClass(), file.getKey(), GameJars.MAX_LOOK_BYTES));
     }
     contents.put("look.json", LookWriter.write(view.game(), setup, names));
-    Path folder = root.resolve(PLACE).resolve(view.game());
+    Path folder = root.resolve(GameJars.LOOKS).resolve(view.game());
     Files.createDirectories(folder);
     for (Map.Entry<String, byte[]> content : contents.entrySet()) {
       Files.write(folder.resolve(content.getKey()), content.getValue());

@@ -7,9 +7,9 @@ import carom.sim.field.Schema;
 import java.util.Arrays;
 
 /**
- * One stay of an account's player on servers, from the join until the player leaves for good. Each
- * has a stamp, which is larger than those of all before, and the store takes nothing of a stay when
- * a newer one has written.
+ * One stay of an account's player on servers, from the join until the player leaves for good. Its
+ * stamp is larger than the stamps of all earlier stays. Once a newer stay has written, the store
+ * takes nothing from an older one.
  *
  * <pre>
  *   stamp   ┌ 31 bits ──────┬ 16 bits ─────────────────┬ 16 bits ─────────────────┐

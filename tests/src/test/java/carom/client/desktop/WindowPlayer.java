@@ -9,6 +9,8 @@ import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
 import carom.replay.RecordingReader;
 import carom.sim.scene.Scene;
 import carom.sim.scene.Scenes;
@@ -42,8 +44,10 @@ final class WindowPlayer {
   private static final long LIMIT_NS = 60_000_000_000L;
   private static final int TOLERANCE = 24;
 
-  /** A car's middle is its window; its paint is around it. */
-  private static final int AROUND_PX = 28;
+  /** Least part of the box around the own body that has its colour, and least pixels. */
+  private static final float LEAST_SHARE = 0.032f;
+
+  private static final int LEAST_PX = 20;
 
   /** Least number of looks at the own body in a room. */
   private static final int LOOKS = 5;
@@ -334,7 +338,7 @@ final class WindowPlayer {
     }
   }
 
-  /** Looks for the own body's colour where the view has it, unless something covers the picture. */
+  /** Looks for the own body's colour where its shapes are, unless something covers the picture. */
   private void look() throws Exception {
     run(
         () -> {
@@ -351,13 +355,17 @@ final class WindowPlayer {
           looks++;
           int chosen = ScreenTour.colours(view).rgb(view.playerId());
           int rgb = own.archetype().appearance().rgb();
-          Vector3 at = game.camera().toScreen(own.x(), own.y());
+          Aabb box = box(own);
+          Vector3 at = game.camera().toScreen((box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2);
           int w = Gdx.graphics.getWidth();
           int h = Gdx.graphics.getHeight();
           Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, w, h);
+          float scale = game.camera().pixelsPerMetre(h);
+          int halfW = Math.max(1, Math.round(scale * (box.maxX - box.minX) / 2));
+          int halfH = Math.max(1, Math.round(scale * (box.maxY - box.minY) / 2));
           int count = 0;
-          for (int dy = -AROUND_PX; dy <= AROUND_PX; dy++) {
-            for (int dx = -AROUND_PX; dx <= AROUND_PX; dx++) {
+          for (int dy = -halfH; dy <= halfH; dy++) {
+            for (int dx = -halfW; dx <= halfW; dx++) {
               int x = Math.round(at.x) + dx;
               int y = Math.round(at.y) + dy;
               if (x >= 0 && y >= 0 && x < w && y < h) {
@@ -367,11 +375,27 @@ final class WindowPlayer {
             }
           }
           pixels.dispose();
-          seen += count >= 20 ? 1 : 0;
-          if (count < 20) {
+          int least = Math.max(LEAST_PX, Math.round(LEAST_SHARE * 4 * halfW * halfH));
+          seen += count >= least ? 1 : 0;
+          if (count < least) {
             Pictures.save("unseen-" + looks + ".png");
           }
         });
+  }
+
+  /** Returns the box around a body's shapes as it is turned, metres. */
+  private static Aabb box(Drawn body) {
+    Transform pose = new Transform().set(body.x(), body.y(), body.angle());
+    Aabb all = new Aabb();
+    Aabb one = new Aabb();
+    for (int i = 0; i < body.archetype().shapes().size(); i++) {
+      body.archetype().shapes().get(i).aabb(pose, i == 0 ? all : one);
+      if (i > 0) {
+        all.add(one.minX, one.minY);
+        all.add(one.maxX, one.maxY);
+      }
+    }
+    return all;
   }
 
   private static boolean near(int a, int b) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.app.LookCommand;
 import carom.client.look.rockets.RocketsView;
 import carom.client.look.shooter.ShooterView;
+import carom.game.GameJars;
 import carom.game.shooter.ShooterFields;
 import carom.text.Json;
 import java.io.IOException;
@@ -46,7 +47,7 @@ final class LookFolderTest {
 
   private Json write(GameView view) throws Exception {
     LookFolder.write(view, folder);
-    Path file = folder.resolve(LookFolder.PLACE).resolve(view.game()).resolve("look.json");
+    Path file = folder.resolve(GameJars.LOOKS).resolve(view.game()).resolve("look.json");
     return Json.parse(Files.readAllBytes(file));
   }
 
@@ -56,7 +57,7 @@ final class LookFolderTest {
       Set<String> named = new HashSet<>();
       collect(write(view), named);
       named.removeIf(text -> !text.matches(".*\\.(png|wav|ogg)"));
-      Path place = folder.resolve(LookFolder.PLACE).resolve(view.game());
+      Path place = folder.resolve(GameJars.LOOKS).resolve(view.game());
       try (Stream<Path> files = Files.list(place)) {
         Set<String> there = new HashSet<>(files.map(f -> f.getFileName().toString()).toList());
         assertTrue(there.remove("look.json"));
@@ -129,7 +130,7 @@ final class LookFolderTest {
     Told missing = new Told(v -> v.sprite("crate", "nowhere.png"));
     IOException lacks = assertThrows(IOException.class, () -> LookFolder.write(missing, folder));
     assertEquals("nowhere.png isn't in the game's jar", lacks.getMessage());
-    assertTrue(Files.notExists(folder.resolve(LookFolder.PLACE)));
+    assertTrue(Files.notExists(folder.resolve(GameJars.LOOKS)));
   }
 
   @Test

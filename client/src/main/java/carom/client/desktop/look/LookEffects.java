@@ -106,8 +106,8 @@ public final class LookEffects implements EventListener, BlowListener {
 
   private void react(List<Effect> effects, int body, float nx, float ny, float share) {
     for (int i = 0; effects != null && view != null && i < effects.size(); i++) {
-      if (effects.get(i) instanceof Reaction) {
-        reactions.react(effects.get(i), view.find(body), nx, ny, share);
+      if (effects.get(i) instanceof Reaction reaction) {
+        reactions.react(reaction, view.find(body), nx, ny, share);
       }
     }
   }

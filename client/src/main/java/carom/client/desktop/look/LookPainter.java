@@ -5,6 +5,7 @@ import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.PictureParts;
+import carom.client.look.Reaction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.sim.level.Archetype;
@@ -63,6 +64,11 @@ public final class LookPainter implements Disposable {
   public void renew() {
     pictures.home(look.home());
     look.setup().pictures().forEach(pictures::of); // now, not as the first rocket flies
+    boolean flashes =
+        look.setup().effects().stream().anyMatch(e -> e instanceof Reaction r && r.flashRgb() >= 0);
+    if (flashes) {
+      look.setup().sprites().forEach(sprite -> pictures.silhouette(sprite.file()));
+    }
     isPlain = look.setup().isPlain();
     clear();
   }

@@ -1,6 +1,5 @@
 package carom.client.desktop.look;
 
-import carom.client.look.Effect;
 import carom.client.look.Reaction;
 import carom.client.look.ViewSetup;
 import carom.client.view.ClientView;
@@ -30,6 +29,23 @@ final class Reactions {
     private float normalY;
     private float heldX;
     private float heldY;
+
+    /** Begins a reaction at a place, to a blow along a normal. */
+    void begin(Reaction of, float x, float y, float blowX, float blowY, float hard) {
+      boolean unit = Vector2.len2(blowX, blowY) > 0.5f;
+      reaction = of;
+      share = hard;
+      age = 0;
+      normalX = unit ? blowX : 0;
+      normalY = unit ? blowY : 1;
+      heldX = x;
+      heldY = y;
+    }
+
+    /** Lets time pass. */
+    void age(float delta) {
+      age += delta;
+    }
 
     /**
      * Returns how far along the blow it is squeezed now, a share of its size; below 0 stretched.
@@ -64,13 +80,13 @@ final class Reactions {
     }
 
     /** Returns how far from its place it is drawn, metres. */
-    float moveX(Drawn body) {
-      return back() * MathUtils.clamp(heldX - body.x(), -MAX_HELD_M, MAX_HELD_M);
+    float moveX(float x) {
+      return back() * MathUtils.clamp(heldX - x, -MAX_HELD_M, MAX_HELD_M);
     }
 
     /** Returns how far from its place it is drawn, metres. */
-    float moveY(Drawn body) {
-      return back() * MathUtils.clamp(heldY - body.y(), -MAX_HELD_M, MAX_HELD_M);
+    float moveY(float y) {
+      return back() * MathUtils.clamp(heldY - y, -MAX_HELD_M, MAX_HELD_M);
     }
 
     float normalX() {
@@ -103,7 +119,7 @@ final class Reactions {
       if (shown.isNew()) {
         shown.reaction = null;
       }
-      shown.age += seconds;
+      shown.age(seconds);
     }
   }
 
@@ -119,18 +135,10 @@ final class Reactions {
    * @param normalY unit vector along which it was pushed
    * @param share how hard, 0..1
    */
-  void react(Effect effect, Drawn body, float normalX, float normalY, float share) {
+  void react(Reaction reaction, Drawn body, float normalX, float normalY, float share) {
     Shown shown = body == null ? null : of(body);
-    if (shown == null || !(effect instanceof Reaction reaction)) {
-      return;
+    if (shown != null) {
+      shown.begin(reaction, body.x(), body.y(), normalX, normalY, share);
     }
-    boolean unit = Vector2.len2(normalX, normalY) > 0.5f;
-    shown.reaction = reaction;
-    shown.share = share;
-    shown.age = 0;
-    shown.normalX = unit ? normalX : 0;
-    shown.normalY = unit ? normalY : 1;
-    shown.heldX = body.x();
-    shown.heldY = body.y();
   }
 }

@@ -150,8 +150,8 @@ final class SpritePainter {
     List<Ready> sprites = of(body.archetype());
     Track track = tracks.see(body.id(), body.generation());
     Reactions.Shown reaction = reactions.of(body);
-    float x = body.x() + (reaction == null ? 0 : reaction.moveX(body));
-    float y = body.y() + (reaction == null ? 0 : reaction.moveY(body));
+    float x = body.x() + (reaction == null ? 0 : reaction.moveX(body.x()));
+    float y = body.y() + (reaction == null ? 0 : reaction.moveY(body.y()));
     squeeze(reaction, x, y);
     for (int i = 0; i < sprites.size(); i++) {
       Ready r = sprites.get(i);

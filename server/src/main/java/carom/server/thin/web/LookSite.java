@@ -18,13 +18,9 @@ import java.util.regex.Pattern;
  * No code of a view is loaded. Any thread.
  */
 final class LookSite {
-  private static final String PLACE = "carom/looks/";
-
   /** A game's name and a file's, neither of which leads to another folder. */
   private static final Pattern PATH =
       Pattern.compile("[A-Za-z0-9][A-Za-z0-9._ -]{0,63}/[A-Za-z0-9][A-Za-z0-9._-]{0,99}");
-
-  private static final int MAX_FILE_BYTES = 24 << 20;
 
   /** Most bytes that are kept in memory; further files are read from their jars each time. */
   private static final long MAX_KEPT_BYTES = 64 << 20;
@@ -69,13 +65,13 @@ final class LookSite {
   }
 
   private ByteBuffer read(String path) {
-    try (InputStream in = loader.getResourceAsStream(PLACE + path)) {
-      byte[] bytes = in == null ? null : in.readNBytes(MAX_FILE_BYTES + 1);
-      return bytes == null || bytes.length > MAX_FILE_BYTES
+    try (InputStream in = loader.getResourceAsStream(GameJars.LOOKS + path)) {
+      byte[] bytes = in == null ? null : in.readNBytes(GameJars.MAX_LOOK_BYTES + 1);
+      return bytes == null || bytes.length > GameJars.MAX_LOOK_BYTES
           ? null
           : ByteBuffer.wrap(bytes).asReadOnlyBuffer();
     } catch (IOException e) {
-      throw new UncheckedIOException("carom/looks/" + path + " can't be read", e);
+      throw new UncheckedIOException(GameJars.LOOKS + path + " can't be read", e);
     }
   }
 }

@@ -162,7 +162,10 @@ final class StockKryoTest {
             List.of(),
             List.of());
     KryoOutput out = new KryoOutput();
-    new PlainEncoder().encode(out, match);
+    PlainEncoder encoder = new PlainEncoder();
+    encoder.encode(new KryoOutput(), match);
+    encoder.encode(out, match);
+    assertEquals(2, encoder.matches());
     take(out);
     assertTrue(frames.size() > 2, "frames=" + frames.size());
     for (byte[] frame : frames) {
@@ -170,6 +173,7 @@ final class StockKryoTest {
     }
     List<String> read = readByKryo();
     assertTrue(read.get(0).startsWith("Match{archetypes=[Archetype{"), read.get(0));
+    assertTrue(read.get(0).contains("number=2;"), "the second on this connection");
     assertTrue(read.get(0).contains("more=" + (frames.size() - 1) + ";"), "one for each");
     String all = String.join("\n", read);
     int last = -1;

@@ -214,4 +214,32 @@ final class PlayServerTest {
         http.send(HttpRequest.newBuilder(none).build(), HttpResponse.BodyHandlers.discarding())
             .statusCode());
   }
+
+  @Test
+  void theLookOfAGameIsServedAndNothingBesideIt() throws Exception {
+    HttpClient http = HttpClient.newHttpClient();
+    for (String[] asked :
+        new String[][] {
+          {"200", "shooter/look.json"},
+          {"200", "shooter/sky.png"},
+          {"204", "arena/look.json"},
+          {"204", "nowhere/look.json"},
+          {"404", "shooter/nothing.png"},
+          {"404", "shooter/ShooterView.class"},
+          {"404", "shooter/"},
+          {"404", ""},
+          {"404", "shooter/../shooter/sky.png"},
+          {"404", "../../server/web/app.js"},
+          {"404", "..%2f..%2fcarom%2fserver%2fweb/app.js"},
+          {"404", "shooter%2f..%2f..%2f..%2flevels/arena.json"},
+          {"404", "/shooter/sky.png"},
+          {"404", "shooter/%2e%2e/sky.png"},
+        }) {
+      URI uri = URI.create("http://127.0.0.1:" + server.port.tcpPort() + "/play/look/" + asked[1]);
+      HttpResponse<byte[]> answer =
+          http.send(HttpRequest.newBuilder(uri).build(), HttpResponse.BodyHandlers.ofByteArray());
+      assertEquals(asked[0], String.valueOf(answer.statusCode()), asked[1]);
+      assertEquals(asked[0].equals("200"), answer.body().length > 400, asked[1]);
+    }
+  }
 }

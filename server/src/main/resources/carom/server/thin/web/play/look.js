@@ -24,6 +24,8 @@ export class Look {
     this.tints = new Map();
     this.tracks = new WeakMap();
     this.sizes = new Map();
+    this.patterns = new WeakMap();
+    this.ready = new Map(); // kinds whose pictures have all arrived
     const effects = [...Object.values(this.events), ...Object.values(this.blows), Object.values(this.trails)].flat();
     const files = [...this.sprites, ...this.backgrounds].map(s => s.file);
     files.push(...effects.map(e => e.picture), ...this.hud.filter(h => h.kind === 'ICONS').map(h => h.label));
@@ -68,8 +70,10 @@ export class Look {
 
   /** Returns the sprites of a kind whose pictures have arrived; null for none, so that its shapes show. */
   spritesOf(name) {
-    const all = this.ofKind.get(name)?.filter(s => this.picture(s.file));
-    return all?.length ? all : null;
+    if (this.ready.has(name)) return this.ready.get(name);
+    const all = this.ofKind.get(name) || [], arrived = all.filter(s => this.picture(s.file)), shown = arrived.length ? arrived : null;
+    if (all.every(s => this.pictures.get(s.file).complete)) this.ready.set(name, shown); // it is asked for each body in each picture
+    return shown;
   }
 
   /** Returns what a look reads of the fields, as a number: 0 for what isn't known. */
@@ -200,7 +204,8 @@ export class Look {
 
   /** Repeats a picture over the boxes of a kind, from their upper left corners on. */
   tile(g, kind, image, width, height) {
-    const pattern = g.createPattern(image, 'repeat');
+    let pattern = this.patterns.get(image);
+    if (!pattern) this.patterns.set(image, pattern = g.createPattern(image, 'repeat'));
     for (const [, ...xy] of kind.flat) {
       const xs = xy.filter((_, i) => i % 2 === 0), ys = xy.filter((_, i) => i % 2), left = Math.min(...xs), top = Math.max(...ys);
       if (xs.length !== 4 || new Set(xs).size !== 2 || new Set(ys).size !== 2) continue;
@@ -210,8 +215,8 @@ export class Look {
     }
   }
 
-  /** Draws the backgrounds in metres, y up, around the camera's middle; returns false if none has arrived. */
-  drawBackgrounds(g, camera, viewWidth, seconds) {
+  /** Draws the backgrounds around the camera's middle on a canvas in pixels, in whole ones, so that no seam shows; returns false if none has arrived. */
+  drawBackgrounds(g, [scale, , , , originX, originY], camera, viewWidth, seconds) {
     let drawn = false;
     for (const b of this.backgrounds) {
       const image = this.picture(b.file);
@@ -224,11 +229,8 @@ export class Look {
       g.globalAlpha = b.alpha;
       for (let y = fromY; y < bottom + camera.height; y += height) {
         for (let x = lagX + Math.floor((left - lagX) / width) * width; x < left + viewWidth; x += width) {
-          g.save();
-          g.translate(x, y + height);
-          g.scale(1, -1);
-          g.drawImage(image, 0, 0, width * 1.002, height * (stands ? 1 : 1.002)); // so that no seam shows
-          g.restore();
+          const px = Math.floor(originX + scale * x), py = Math.floor(originY - scale * (y + height));
+          g.drawImage(image, px, py, Math.ceil(originX + scale * (x + width)) - px, Math.ceil(originY - scale * y) - py);
         }
         if (stands) break;
       }

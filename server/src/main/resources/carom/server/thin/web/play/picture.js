@@ -4,7 +4,25 @@ import {Sparks} from './sparks.js';
 import {EDGE, details, extent, eyes, hex, outline, shade} from './painter.js';
 
 const GRID = 2, SHADOW = [0.1, -0.14], RING_S = 0.45, LABEL_S = 1.1, RISE = 1.6, FOLLOW = 6, EMOTE_MS = 2500;
-const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, AROUND_ALL = 4, ZOOM = 2.5, HARD_BLOW = 20, LEAST_SHARE = 0.2, TRAIL_FROM = 0.5, MINIMAP = 190, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+const WHOLE_HEIGHT = 30, FOLLOW_HEIGHT = 16, FOLLOW_WIDTH = 13, MARGIN = 0.6, LEAST_PIXELS = 14, AROUND_ALL = 4, ZOOM = 2.5, HARD_BLOW = 20, LEAST_SHARE = 0.2, TRAIL_FROM = 0.5, MINIMAP = 190, TURF = 0.35, SOIL = 1.4, BELOW = 60, STREAK_FROM = 10.5, STREAK_FULL = 20, STREAK_S = 0.11;
+
+/** Returns the ground under the lines of a chain whose front is above, in strata: a path and its colour each. */
+function strata({x, y, angle, kind}, bottom) {
+  const cos = Math.cos(angle), sin = Math.sin(angle), at = (px, py) => [x + cos * px - sin * py, y + sin * px + cos * py];
+  return [[0, TURF, 1.1], [TURF, SOIL, 0.8], [SOIL, Infinity, 0.62]].map(([from, to, light]) => {
+    const path = new Path2D();
+    for (const [, ...xy] of kind.flat) {
+      const [x1, y1] = at(xy[0], xy[1]), [x0, y0] = at(xy[2], xy[3]); // a line runs with its front right
+      if (x1 <= x0) continue;
+      path.moveTo(x0, y0 - from);
+      path.lineTo(x1, y1 - from);
+      path.lineTo(x1, Math.max(bottom, y1 - to));
+      path.lineTo(x0, Math.max(bottom, y0 - to));
+      path.closePath();
+    }
+    return [path, shade(kind.rgb, light)];
+  });
+}
 
 export class Picture {
   constructor(canvas, world) {
@@ -14,6 +32,8 @@ export class Picture {
     this.emotes = new Map();
     this.look = null;
     this.sparks = new Sparks();
+    this.placed = this.place.bind(this);
+    this.map = document.createElement('canvas'); // the ground of the minimap
     this.camera = {x: 0, y: 0, height: 20, placed: false};
   }
 
@@ -23,9 +43,11 @@ export class Picture {
     const ready = kind => Object.assign(kind, outline(kind.flat), {size: kind.flat.length ? extent(kind.flat[0]) : 0.4});
     this.kinds = match.archetypes.map(drawn).map(ready);
     this.ground = match.ground.map(g => ({...g, kind: ready(drawn(g.kind))}));
+    this.strata = this.ground.filter(e => e.kind.thin && e.kind.flat.length > 1 && e.kind.look !== 'PLAIN').flatMap(e => strata(e, match.bounds[1] - BELOW));
     this.flashes = [];
     this.emotes.clear();
     this.sparks.clear();
+    this.drawMap(match);
     this.camera.placed = false;
   }
 
@@ -113,8 +135,10 @@ export class Picture {
     this.view = [s, 0, 0, -s, width / 2 - s * (this.camera.x + shiftX), height / 2 + s * (this.camera.y + shiftY)];
     for (const d of shown) this.dress(d, seconds);
     for (const e of this.ground) e.sprites = look?.spritesOf(e.kind.name);
+    const hasGrid = !look?.drawBackgrounds(g, this.view, this.camera, width / s, time);
     g.setTransform(...this.view);
-    this.backdrop(g, match, !look?.drawBackgrounds(g, this.camera, width / s, time));
+    this.backdrop(g, match, hasGrid);
+    for (const [path, colour] of this.strata) { g.fillStyle = colour; g.fill(path); }
     g.fillStyle = 'rgb(0 0 0 / .28)';
     for (const e of this.ground) if (!e.kind.thin && !e.kind.sensor && !e.sprites) { this.place(g, e.x + SHADOW[0], e.y + SHADOW[1], e.angle); g.fill(e.kind.path); }
     for (const d of shown) if (!d.kind.thin && !d.kind.sensor && !d.sprites) { this.place(g, d.pose[0] + SHADOW[0], d.pose[1] + SHADOW[1], d.pose[2]); g.fill(d.kind.path); }
@@ -122,7 +146,7 @@ export class Picture {
     for (const d of shown) if (d.sprites) this.sprites(g, d, d === own ? aim : null, time, true);
     g.globalAlpha = 1;
     for (const e of this.ground) {
-      if (e.sprites) look.paint(g, this.place.bind(this), e.kind, e.sprites, e, null, e.kind.rgb, () => 0, null, time, false);
+      if (e.sprites) look.paint(g, this.placed, e.kind, e.sprites, e, null, e.kind.rgb, () => 0, null, time, false);
       else this.body(g, e.kind, e.kind.rgb, e.x, e.y, e.angle, time);
     }
     g.setTransform(...this.view);
@@ -147,13 +171,10 @@ export class Picture {
     return maxY - minY <= c.height && maxX - minX <= c.height * this.canvas.clientWidth / this.canvas.clientHeight;
   }
 
-  /** Draws the whole level with its players on another canvas, small. */
-  drawMinimap(canvas) {
-    const [minX, minY, maxX, maxY] = this.world.match.bounds, scale = MINIMAP / Math.max(maxX - minX, maxY - minY);
-    const width = Math.round(scale * (maxX - minX)), height = Math.round(scale * (maxY - minY)), g = canvas.getContext('2d');
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    g.setTransform(1, 0, 0, 1, 0, 0);
-    g.clearRect(0, 0, width, height);
+  /** Draws the ground of the minimap, once for a match. */
+  drawMap({bounds: [minX, minY, maxX, maxY]}) {
+    const scale = this.mapScale = MINIMAP / Math.max(maxX - minX, maxY - minY), g = this.map.getContext('2d');
+    Object.assign(this.map, {width: Math.round(scale * (maxX - minX)), height: Math.round(scale * (maxY - minY))});
     for (const e of this.ground) {
       if (e.kind.sensor) continue;
       const cos = scale * Math.cos(e.angle), sin = scale * Math.sin(e.angle);
@@ -162,7 +183,14 @@ export class Picture {
       g.lineWidth = 1.5 / scale;
       g[e.kind.thin ? 'stroke' : 'fill'](e.kind.path);
     }
-    g.setTransform(1, 0, 0, 1, 0, 0);
+  }
+
+  /** Draws the whole level with its players on another canvas, small. */
+  drawMinimap(canvas) {
+    const [minX, , , maxY] = this.world.match.bounds, scale = this.mapScale, {width, height} = this.map, g = canvas.getContext('2d');
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+    g.clearRect(0, 0, width, height);
+    g.drawImage(this.map, 0, 0);
     for (const d of this.players || []) {
       const own = d.body === this.world.own;
       for (const [radius, colour] of own ? [[4.5, '#fff'], [3, hex(this.colour(d))]] : [[3, hex(this.colour(d))]]) {
@@ -192,7 +220,7 @@ export class Picture {
   sprites(g, d, aim, time, silhouette) {
     const [x, y, angle] = d.pose, move = silhouette ? SHADOW : [0, 0], owner = d.body.owner & 1023;
     const by = value => this.look.number(this.world, value, owner, d.body.id);
-    this.look.paint(g, this.place.bind(this), d.kind, d.sprites, {x: x + move[0], y: y + move[1], angle}, d.track, this.colour(d), by, aim, time, silhouette);
+    this.look.paint(g, this.placed, d.kind, d.sprites, {x: x + move[0], y: y + move[1], angle}, d.track, this.colour(d), by, aim, time, silhouette);
   }
 
   place(g, x, y, angle) {
