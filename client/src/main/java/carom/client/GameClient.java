@@ -240,6 +240,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void best(ServerMessage.BestLists lists) {
+      view.best(lists.lists());
+    }
+
+    @Override
     public void pace(ServerMessage.Pace pace) {
       game.pace(pace, nowNs);
     }
@@ -434,6 +439,14 @@ public final class GameClient implements AutoCloseable {
    */
   public void listRooms() {
     connection.send(new ClientMessage.ListRooms(Protocol.VERSION));
+  }
+
+  /**
+   * Asks the server for the best of what accounts keep in the room's game; {@link ClientView#best}
+   * then lists them. Does nothing while nothing is played.
+   */
+  public void listBest() {
+    connection.send(new ClientMessage.ListBest());
   }
 
   /**

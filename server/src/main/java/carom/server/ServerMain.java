@@ -13,6 +13,7 @@ import carom.server.access.AdminChat;
 import carom.server.access.Logins;
 import carom.server.agones.AgonesFlags;
 import carom.server.agones.AgonesService;
+import carom.server.command.AccountCommands;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RedirectCommands;
@@ -416,6 +417,7 @@ public final class ServerMain implements Callable<Integer> {
     CommandRegistry commands = new CommandRegistry();
     RoomCommands.add(commands, server.rooms(), flags.dataFolder());
     AccessCommands.add(commands, access, server.rooms());
+    AccountCommands.add(commands, server.accounts(), server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
     RedirectCommands.add(
         commands,
@@ -477,7 +479,8 @@ public final class ServerMain implements Callable<Integer> {
               server.rooms(),
               server.networkCounters(),
               logins,
-              fleet == null ? null : fleet.member().figures());
+              fleet == null ? null : fleet.member().figures(),
+              server.accounts() == null ? List.of() : server.accounts().figures());
       return WebFlags.open(
           server.config(), subject, data, recordings(), flags.settings(), commands, logTail);
     } catch (IOException e) {

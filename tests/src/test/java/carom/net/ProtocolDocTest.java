@@ -113,6 +113,7 @@ class ProtocolDocTest {
   private static Map<String, byte[]> goldenOfTheCode() {
     Map<String, byte[]> golden = new TreeMap<>();
     golden.put("list-rooms", ClientMessageCodec.encode(new ClientMessage.ListRooms(9)));
+    golden.put("list-best", ClientMessageCodec.encode(new ClientMessage.ListBest()));
     golden.put("change-room", ClientMessageCodec.encode(new ClientMessage.ChangeRoom("cup")));
     golden.put(
         "hello",
@@ -240,6 +241,13 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
+    golden.put(
+        "best-lists",
+        codec.encode(
+            new ServerMessage.BestLists(
+                List.of(
+                    new ServerMessage.BestList(
+                        "wins", 0, List.of(new ServerMessage.BestEntry("Zoë", "12")))))));
     golden.put(
         "redirect", codec.encode(new ServerMessage.Redirect("b.example.org:54555", "", "cup", "")));
     String b = "b.example.org:54555";

@@ -8,15 +8,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ServerMessage;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.account.MemoryAccounts;
+import carom.server.command.AccountCommands;
+import carom.server.command.Caller;
+import carom.server.command.CommandRegistry;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.entity.Newcomer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -69,6 +75,119 @@ final class AccountTest {
       rig.join("2", "cup");
       assertEquals(0, rig.coins("2", "cup"));
     }
+  }
+
+  private static String give(AccountRig rig, String line) throws Exception {
+    CommandRegistry commands = new CommandRegistry();
+    AccountCommands.add(commands, rig.accounts, rig.server.rooms());
+    Caller moderator = new Caller(carom.server.command.Role.MODERATOR, "chat", "Eve");
+    CompletableFuture<String> answer =
+        CompletableFuture.supplyAsync(() -> commands.run(line, moderator).text());
+    while (!answer.isDone()) {
+      rig.step();
+      rig.work();
+    }
+    return answer.get();
+  }
+
+  @Test
+  void anOperatorSeesAndForgetsAPlayerWhoIsAway() throws Exception {
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      leave(rig, ann);
+      String shown = give(rig, "account p1");
+      assertTrue(shown.contains("account=1 ") && shown.contains("earn: coins = "), shown);
+      assertEquals("forgot account=1; 0 players removed", give(rig, "account forget P1"));
+      assertEquals(0, stored("1"));
+      assertEquals("nothing is kept of P1", give(rig, "account forget P1"));
+      rig.join("1", "cup");
+      assertEquals(0, rig.coins("1", "cup"));
+    }
+  }
+
+  @Test
+  void aPlayerWhoIsInIsForgottenAndBeginsAnew() throws Exception {
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      rig.join("2", "cup");
+      assertEquals("forgot account=1; 1 player removed", give(rig, "account forget 1"));
+      rig.settle();
+      assertNull(rig.session("1", "cup"));
+      assertNotNull(rig.session("2", "cup"));
+      assertEquals(0, stored("1"), "the end of the stay writes nothing");
+      FakeClient again = rig.join("1", "cup");
+      assertEquals(0, rig.coins("1", "cup"));
+      earn(rig, again, 30);
+      assertEquals(rig.coins("1", "cup"), stored("1"));
+      store.isDown = true;
+      String answer = give(rig, "account forget 1");
+      assertTrue(answer.contains("try again"), answer);
+    }
+  }
+
+  @Test
+  void aClientIsToldTheBestWithItsOwnPlace() throws Exception {
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      FakeClient bob = rig.join("2", "cup");
+      earn(rig, bob, 60);
+      for (int i = 0; i < 3; i++) {
+        ann.link.send(new ClientMessage.ListBest());
+        rig.settle();
+      }
+      ServerMessage.BestLists told = null;
+      for (ServerMessage message : ann.messages) {
+        told = message instanceof ServerMessage.BestLists lists ? lists : told;
+      }
+      ServerMessage.BestList coins = told.lists().get(0);
+      assertEquals("coins", coins.field());
+      assertEquals(1, coins.own());
+      assertEquals(
+          List.of("P2", "P1"),
+          coins.entries().stream().map(ServerMessage.BestEntry::name).toList());
+      assertEquals(Integer.toString(rig.coins("2", "cup")), coins.entries().get(0).value());
+      for (int i = 0; i < 60; i++) {
+        ann.link.send(new ClientMessage.ListBest());
+      }
+      long before = count(ann);
+      for (int i = 0; i < 60; i++) {
+        rig.step();
+      }
+      assertTrue(count(ann) - before <= 2, "twice a second at most");
+    }
+  }
+
+  private static long count(FakeClient client) {
+    return client.messages.stream().filter(m -> m instanceof ServerMessage.BestLists).count();
+  }
+
+  @Test
+  void metricsCountWhatTheStoreDoes() throws Exception {
+    try (AccountRig rig = rig("cup")) {
+      FakeClient ann = rig.join("1", "cup");
+      earn(rig, ann, 30);
+      assertEquals(1, figure(rig, "accounts.read"));
+      double written = figure(rig, "accounts.written");
+      assertTrue(written > 0);
+      assertEquals(0, figure(rig, "accounts.store.down"));
+      store.isDown = true;
+      ann.input.hold(Input.ACTION, true);
+      rig.settle();
+      assertEquals(1, figure(rig, "accounts.store.down"));
+      assertTrue(figure(rig, "accounts.waiting") > 0);
+      assertTrue(figure(rig, "accounts.failed") > 0);
+      store.isDown = false;
+    }
+  }
+
+  private static double figure(AccountRig rig, String name) {
+    return rig.accounts.figures().stream()
+        .filter(figure -> figure.name().equals(name))
+        .mapToDouble(figure -> figure.value().getAsDouble())
+        .sum();
   }
 
   @Test

@@ -22,6 +22,7 @@ import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.net.protocol.ServerMessage.BestList;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.entity.Input;
@@ -218,6 +219,16 @@ final class GameScreen extends ScreenAdapter {
     @Override
     public void resume() {
       show();
+    }
+
+    @Override
+    public void askForBest() {
+      client.listBest();
+    }
+
+    @Override
+    public List<BestList> best() {
+      return client.view().best();
     }
 
     @Override

@@ -247,6 +247,8 @@ public final class Connection implements LinkHandler {
       listener.roster(roster);
     } else if (received instanceof ServerMessage.RoomList rooms) {
       listener.rooms(rooms);
+    } else if (received instanceof ServerMessage.BestLists lists) {
+      listener.best(lists);
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
     } else if (received instanceof ServerMessage.Pace pace && stage == Stage.PLAYING) {

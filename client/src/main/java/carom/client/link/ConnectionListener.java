@@ -31,6 +31,9 @@ public interface ConnectionListener {
   /** Receives a part of the list of rooms. */
   void rooms(ServerMessage.RoomList rooms);
 
+  /** Receives the best lists. */
+  void best(ServerMessage.BestLists lists);
+
   /** Receives a line of the server for the player. */
   void notice(String text);
 

@@ -5,6 +5,7 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.BestList;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -132,6 +133,7 @@ public final class ClientView {
   String room = "";
   int matchNumber;
   List<RoomEntry> rooms = List.of();
+  List<BestList> best;
   ConnectionPhase phase = ConnectionPhase.IDLE;
   String message = "";
   double progress;
@@ -452,6 +454,14 @@ public final class ClientView {
    */
   public List<RoomEntry> rooms() {
     return rooms;
+  }
+
+  /**
+   * Returns the best of what accounts keep in the room's game, as the server told when the client
+   * last asked ({@code GameClient.listBest}); null before. Never modified.
+   */
+  public List<BestList> best() {
+    return best;
   }
 
   /** Returns the last few lines from the server, oldest first. Do not change the list. */

@@ -4,6 +4,7 @@ import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.BestList;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -83,6 +84,11 @@ public final class ViewWriter {
   /** Sets the server's rooms. */
   public void rooms(List<RoomEntry> rooms) {
     view.rooms = rooms;
+  }
+
+  /** Sets the best lists of the room's game. */
+  public void best(List<BestList> lists) {
+    view.best = lists;
   }
 
   /** Sets the tick that is predicted. */

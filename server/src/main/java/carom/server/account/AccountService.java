@@ -1,5 +1,6 @@
 package carom.server.account;
 
+import carom.server.metrics.Figure;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -44,6 +45,11 @@ public final class AccountService implements AutoCloseable {
   /** The key of writes of which the latest counts. */
   private record Key(String account, long stamp, String game) {}
 
+  /** Asks the store something for an operator. */
+  private interface Question<T> {
+    T ask() throws IOException;
+  }
+
   private record Load(String account, CompletableFuture<Stay> stay, long sinceNs, long nextNs) {}
 
   private final AccountStore store;
@@ -56,6 +62,7 @@ public final class AccountService implements AutoCloseable {
   // Guarded by this.
   private final Map<Key, AccountWrite> writes = new LinkedHashMap<>();
   private final ArrayDeque<Load> loads = new ArrayDeque<>();
+  private final ArrayDeque<Runnable> questions = new ArrayDeque<>();
   private final Map<BestLists.Query, Long> wanted = new LinkedHashMap<>();
   private boolean closing;
 
@@ -67,7 +74,13 @@ public final class AccountService implements AutoCloseable {
   private long saidNs;
   private long retryNs;
   private long bestNs;
-  private long dropped;
+
+  // Written by the service's thread; dropped is guarded by this.
+  private volatile long read;
+  private volatile long written;
+  private volatile long refused;
+  private volatile long failed;
+  private volatile long dropped;
 
   /**
    * Creates the service of a store, which it owns from now on.
@@ -135,6 +148,72 @@ public final class AccountService implements AutoCloseable {
     return failing;
   }
 
+  /** Returns what the metrics tell of accounts. */
+  public List<Figure> figures() {
+    return List.of(
+        counter("accounts.read", "Stays of accounts that have begun with the store.", () -> read),
+        counter("accounts.written", "Writes of accounts that the store took.", () -> written),
+        counter("accounts.refused", "Writes that came after those of a newer stay.", () -> refused),
+        counter("accounts.failed", "Calls that the store of accounts failed.", () -> failed),
+        counter("accounts.dropped", "Writes that were one too many to wait.", () -> dropped),
+        new Figure(
+            "accounts.waiting", "Writes that wait for the store of accounts.", true, this::waiting),
+        new Figure(
+            "accounts.store.down",
+            "1 if the store of accounts didn't answer the last time.",
+            true,
+            () -> failing ? 1 : 0));
+  }
+
+  private static Figure counter(String name, String help, LongSupplier value) {
+    return new Figure(name, help, false, value::getAsLong);
+  }
+
+  /**
+   * Finds what is kept of accounts, see {@link AccountStore#find}. What players have gained lately
+   * may be missing.
+   */
+  public CompletableFuture<List<AccountStore.Known>> find(String who, int most) {
+    return ask(() -> store.find(who, most));
+  }
+
+  /**
+   * Forgets what is kept of an account. A player who is in keeps what it has in the match, of which
+   * nothing is stored any longer.
+   *
+   * @return whether anything was kept
+   */
+  public CompletableFuture<Boolean> forget(String account) {
+    return ask(
+        () -> {
+          Stay known = live.get(account);
+          long stamp = store.forget(account, known == null ? 0 : known.stamp());
+          if (stamp > 0) {
+            live.put(account, new Stay(account, stamp, AccountValues.NONE));
+          }
+          return stamp > 0;
+        });
+  }
+
+  private <T> CompletableFuture<T> ask(Question<T> question) {
+    CompletableFuture<T> answer = new CompletableFuture<>();
+    Runnable asks =
+        () -> {
+          try {
+            answer.complete(question.ask());
+            answers();
+          } catch (IOException | IllegalArgumentException e) {
+            fails(e, "an operator's question isn't answered");
+            answer.completeExceptionally(e);
+          }
+        };
+    synchronized (this) {
+      questions.add(asks);
+      notifyAll();
+    }
+    return answer;
+  }
+
   /** Returns the best lists as they were lately, and asks for some from now on. */
   public BestLists best(List<BestLists.Query> queries) {
     synchronized (this) {
@@ -164,7 +243,8 @@ public final class AccountService implements AutoCloseable {
           if (closing && (writes.isEmpty() || failing)) {
             return;
           }
-          boolean rests = loads.isEmpty() && writes.isEmpty() && wanted.isEmpty();
+          boolean rests =
+              loads.isEmpty() && writes.isEmpty() && questions.isEmpty() && wanted.isEmpty();
           wait(rests ? 0 : NAP_MS);
         }
       }
@@ -183,6 +263,7 @@ public final class AccountService implements AutoCloseable {
   public boolean turn() {
     Load load;
     AccountWrite write = null;
+    Runnable question = null;
     boolean asks = false;
     synchronized (this) {
       load = nextLoad();
@@ -190,17 +271,20 @@ public final class AccountService implements AutoCloseable {
       if (load == null && (!failing || now - retryNs >= 0)) {
         Iterator<AccountWrite> first = writes.values().iterator();
         write = first.hasNext() ? first.next() : null;
-        asks = write == null && !wanted.isEmpty() && now - bestNs >= 0;
+        question = write == null ? questions.poll() : null;
+        asks = write == null && question == null && !wanted.isEmpty() && now - bestNs >= 0;
       }
     }
     if (load != null) {
       serve(load);
     } else if (write != null) {
       serve(write);
+    } else if (question != null) {
+      question.run();
     } else if (asks) {
       askForBest();
     }
-    return load != null || write != null || asks;
+    return load != null || write != null || question != null || asks;
   }
 
   private Load nextLoad() {
@@ -232,6 +316,7 @@ public final class AccountService implements AutoCloseable {
         }
         return;
       }
+      read++;
       if (stay.values() == null) {
         stay = new Stay(load.account, stay.stamp(), known.values());
       }
@@ -247,7 +332,10 @@ public final class AccountService implements AutoCloseable {
 
   private void serve(AccountWrite write) {
     try {
-      if (!store.write(write) && isLost(write)) {
+      boolean taken = store.write(write);
+      written += taken ? 1 : 0;
+      refused += taken ? 0 : 1;
+      if (!taken && isLost(write)) {
         LOG.warn(
             "accounts: account={} has joined elsewhere since; what room={} game={} gave it until"
                 + " tick={} isn't kept",
@@ -318,6 +406,7 @@ public final class AccountService implements AutoCloseable {
 
   private void fails(Exception e, String meaning) {
     failing = true;
+    failed++;
     long now = clock.getAsLong();
     retryNs = now + TimeUnit.MILLISECONDS.toNanos(RETRY_MS);
     if (now - saidNs >= SAY_AGAIN_NS) {

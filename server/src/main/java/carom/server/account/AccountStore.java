@@ -11,7 +11,18 @@ public interface AccountStore extends AutoCloseable {
    * @param name the name under which the account's player played last
    * @param word the value
    */
-  record Row(String name, int word) {}
+  record Row(String account, String name, int word) {}
+
+  /**
+   * What is kept of an account.
+   *
+   * @param name the name under which its player played last
+   * @param values one for each value
+   */
+  record Known(String account, String name, List<KnownValue> values) {}
+
+  /** A value, and after which tick it is so. */
+  record KnownValue(String game, String field, AccountValues.Kept kept, AccountWrite.Place place) {}
 
   /** Returns what it is, for messages; without a password. */
   String title();
@@ -51,6 +62,24 @@ public interface AccountStore extends AutoCloseable {
    * @throws IOException if the store doesn't answer
    */
   List<Row> best(String game, String field, boolean lowest, int start, int most) throws IOException;
+
+  /**
+   * Returns what is kept of accounts.
+   *
+   * @param who an account, or the name under which its player played last, in any case
+   * @param most accounts at most
+   * @throws IOException if the store doesn't answer
+   */
+  List<Known> find(String who, int most) throws IOException;
+
+  /**
+   * Forgets an account. Its number stays for a while, so that no stay before now writes again.
+   *
+   * @param known stamp of the account's newest stay here, or 0
+   * @return the stamp of which older stays write nothing; 0 if nothing was kept
+   * @throws IOException if the store doesn't answer
+   */
+  long forget(String account, long known) throws IOException;
 
   @Override
   void close();

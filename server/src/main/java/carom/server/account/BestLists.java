@@ -1,5 +1,6 @@
 package carom.server.account;
 
+import carom.net.protocol.ServerMessage;
 import carom.sim.field.Field;
 import carom.sim.field.Schema;
 import java.util.ArrayList;
@@ -34,10 +35,19 @@ public final class BestLists {
    * @param field name of the field
    * @param rows names and values, the best first
    */
-  public record Table(String field, List<Line> rows) {}
+  public record Table(String field, List<Line> rows) {
+    /** Returns the table as a player is told it, whose account is one, or none if that is empty. */
+    public ServerMessage.BestList toldTo(String account) {
+      int own = account.isEmpty() ? -1 : rows.stream().map(Line::account).toList().indexOf(account);
+      return new ServerMessage.BestList(
+          field,
+          own,
+          rows.stream().map(row -> new ServerMessage.BestEntry(row.name, row.value)).toList());
+    }
+  }
 
   /** A row of a table. */
-  public record Line(String name, String value) {}
+  public record Line(String account, String name, String value) {}
 
   private final Map<Query, List<AccountStore.Row>> lists;
 
@@ -60,7 +70,7 @@ public final class BestLists {
       List<Line> rows =
           known.of(queries.get(i)).stream()
               .filter(row -> row.word() >= field.min() && row.word() <= field.max())
-              .map(row -> new Line(row.name(), field.show(row.word())))
+              .map(row -> new Line(row.account(), row.name(), field.show(row.word())))
               .toList();
       if (!rows.isEmpty()) {
         tables.add(new Table(field.name(), rows));

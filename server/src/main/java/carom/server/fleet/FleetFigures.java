@@ -1,5 +1,6 @@
 package carom.server.fleet;
 
+import carom.server.metrics.Figure;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,16 +22,6 @@ public final class FleetFigures {
   public static final int LAG_STEP = RoomRecord.LAG_STEP;
 
   private static final double NS_PER_S = 1e9;
-
-  /**
-   * A number for the metrics.
-   *
-   * @param name lower case, words separated by dots
-   * @param help what it tells, in a sentence
-   * @param isGauge whether it may fall
-   * @param value returns the present value; any thread
-   */
-  public record Figure(String name, String help, boolean isGauge, DoubleSupplier value) {}
 
   /**
    * A histogram of durations.

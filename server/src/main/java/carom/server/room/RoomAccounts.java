@@ -1,5 +1,7 @@
 package carom.server.room;
 
+import carom.net.protocol.ProtocolLimits;
+import carom.net.protocol.ServerMessage;
 import carom.server.account.AccountLog;
 import carom.server.account.AccountService;
 import carom.server.account.AccountWrite;
@@ -115,6 +117,15 @@ final class RoomAccounts implements AccountLog {
   List<BestLists.Table> best() {
     SimulationHost s = room.match().simulation();
     return service() == null ? List.of() : BestLists.of(service(), s.game().name(), s.schema());
+  }
+
+  /** Returns the best lists of that game for the player of an account, or of none if empty. */
+  ServerMessage.BestLists best(String account) {
+    return new ServerMessage.BestLists(
+        best().stream()
+            .limit(ProtocolLimits.MAX_BEST_LISTS)
+            .map(table -> table.toldTo(account))
+            .toList());
   }
 
   /** Returns what to tell a player whose account isn't known, or an empty text. */

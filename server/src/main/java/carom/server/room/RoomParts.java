@@ -89,7 +89,7 @@ final class RoomParts {
             accounts);
     arrivals =
         new Arrivals(context, clock, sessions, departures, roster, announcer, changes, accounts);
-    switches = new RoomSwitches(context, self, directory, sessions, departures);
+    switches = new RoomSwitches(context, self, directory, sessions, departures, accounts);
     LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));
     pace =
         new TickPace(

@@ -18,8 +18,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets players see the other rooms and go there. A player who changes the room keeps link, secret
- * and name; the session ends here, and the other room begins one that loads its match.
+ * Lets players see the other rooms and go there, and tells them the best lists. A player who
+ * changes the room keeps link, secret and name; the session ends here, and the other room begins
+ * one that loads its match.
  *
  * <p>A crash at any moment of that leaves the player one seat: in the other room if its log has the
  * arrival, or else here. The room's thread.
@@ -37,6 +38,7 @@ final class RoomSwitches {
   private final RoomDirectory directory;
   private final RoomSessions sessions;
   private final Departures departures;
+  private final RoomAccounts accounts;
 
   /** Tickets to other servers that were asked for. */
   private final IdentityHashMap<Session, Future<ServerMessage.Move>> tickets =
@@ -48,12 +50,14 @@ final class RoomSwitches {
       Room self,
       RoomDirectory directory,
       RoomSessions sessions,
-      Departures departures) {
+      Departures departures,
+      RoomAccounts accounts) {
     this.room = room;
     this.self = self;
     this.directory = directory;
     this.sessions = sessions;
     this.departures = departures;
+    this.accounts = accounts;
   }
 
   /** Answers the sessions that ask for the list of rooms, and moves those that want to go. */
@@ -65,15 +69,18 @@ final class RoomSwitches {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
-        session.roomList().begin(directory.list(session.isMovable(), nowNs));
+        session.answer().begin(directory.list(session.isMovable(), nowNs));
       }
-      for (Broadcast part; (part = session.roomList().take(nowNs)) != null; ) {
+      if (session.takeBestRequest(rate / LISTS_PER_SECOND)) {
+        session.answer().begin(List.of(new Broadcast(accounts.best(session.seat().account()))));
+      }
+      for (Broadcast part; (part = session.answer().take(nowNs)) != null; ) {
         sessions.sendTo(session, part);
       }
       session.tellFleet(room.ownership().servers());
       String request = session.requestedRoom();
       if (request != null
-          && session.roomList().isSent()
+          && session.answer().isSent()
           && session.state() == SessionState.PLAYING
           && session.playedTicks() >= rate) {
         move(session, request, nowNs);

@@ -1,15 +1,16 @@
 package carom.server.session;
 
-/** Keeps what one player asks about other rooms until the room answers. The room's thread. */
+/** Keeps what one player asks about rooms until the room answers. The room's thread. */
 final class RoomRequests {
   private boolean wantsList;
-  private int ticksSinceList = Short.MAX_VALUE; // long ago
+  private boolean wantsBest;
+  private int ticksSinceAnswer = Short.MAX_VALUE; // long ago
   private String room;
-  private final PacedMessages list = new PacedMessages();
+  private final PacedMessages answer = new PacedMessages();
 
   /** Notes that a tick has passed. */
   void tick() {
-    ticksSinceList++;
+    ticksSinceAnswer++;
   }
 
   /** Notes a request for the list of rooms. Requests before the answer are one. */
@@ -17,24 +18,39 @@ final class RoomRequests {
     wantsList = true;
   }
 
+  /** Notes a request for the best lists. Requests before the answer are one. */
+  void askForBest() {
+    wantsBest = true;
+  }
+
   /**
    * Takes the request for the list of rooms, if there is one.
    *
-   * @param ticks number of ticks that must have passed after the last one
+   * @param ticks number of ticks that must have passed after the last answer
    * @return whether there is one
    */
   boolean takeListRequest(int ticks) {
-    boolean takes = wantsList && ticksSinceList >= ticks && list.isSent();
-    if (takes) {
-      wantsList = false;
-      ticksSinceList = 0;
-    }
+    boolean takes = wantsList && startsAnswer(ticks);
+    wantsList &= !takes;
     return takes;
   }
 
-  /** Returns the list of rooms that is under way. */
-  PacedMessages list() {
-    return list;
+  /** Takes the request for the best lists, as {@link #takeListRequest} does. */
+  boolean takeBestRequest(int ticks) {
+    boolean takes = wantsBest && startsAnswer(ticks);
+    wantsBest &= !takes;
+    return takes;
+  }
+
+  private boolean startsAnswer(int ticks) {
+    boolean starts = ticksSinceAnswer >= ticks && answer.isSent();
+    ticksSinceAnswer = starts ? 0 : ticksSinceAnswer;
+    return starts;
+  }
+
+  /** Returns the answer that is under way. */
+  PacedMessages answer() {
+    return answer;
   }
 
   /** Notes that the player wants to go to another room. */

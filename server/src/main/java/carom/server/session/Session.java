@@ -240,6 +240,8 @@ public final class Session implements LinkHandler {
       departure.leave();
     } else if (message instanceof ClientMessage.ListRooms) {
       roomRequests.askForList();
+    } else if (message instanceof ClientMessage.ListBest) {
+      roomRequests.askForBest();
     } else if (message instanceof ClientMessage.ChangeRoom change) {
       roomRequests.goTo(change.room());
     } else if (state == SessionState.LOADING) {
@@ -470,16 +472,21 @@ public final class Session implements LinkHandler {
   /**
    * Takes the client's request for the list of rooms, if there is one. Requests in between are one.
    *
-   * @param ticks number of ticks that must have passed after the last one
+   * @param ticks number of ticks that must have passed after the last answer
    * @return whether there is one
    */
   public boolean takeRoomsRequest(int ticks) {
     return roomRequests.takeListRequest(ticks);
   }
 
-  /** Returns the list of rooms that is under way to the player. */
-  public PacedMessages roomList() {
-    return roomRequests.list();
+  /** Takes the client's request for the best lists, as {@link #takeRoomsRequest} does. */
+  public boolean takeBestRequest(int ticks) {
+    return roomRequests.takeBestRequest(ticks);
+  }
+
+  /** Returns the answer that is under way to the player: a list of rooms, or the best lists. */
+  public PacedMessages answer() {
+    return roomRequests.answer();
   }
 
   /** Returns the name of the room that the player wants to go to, or null. */

@@ -6,6 +6,7 @@ import carom.server.access.LoginThrottle;
 import carom.server.fleet.FleetFigures;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.Figure;
 import carom.server.metrics.TurnStage;
 import carom.server.room.Room;
 import io.micrometer.core.instrument.FunctionCounter;
@@ -59,7 +60,7 @@ final class Metrics implements AutoCloseable {
   private final WebSubject subject;
 
   /** Kept for the same reason. */
-  private final List<FleetFigures.Figure> fleet;
+  private final List<Figure> figures = new ArrayList<>();
 
   /** The meters of each room. */
   private final Map<Room, List<Meter>> meters = new HashMap<>();
@@ -86,10 +87,14 @@ final class Metrics implements AutoCloseable {
         .register(registry);
     registry.getPrometheusRegistry().register((Collector) () -> tickTimes(subject.rooms()));
     registry.getPrometheusRegistry().register((Collector) () -> build(subject.version()));
-    fleet = subject.fleet() == null ? List.of() : subject.fleet().all();
     if (subject.fleet() != null) {
-      addFleet(subject.fleet());
+      add("fleet.", subject.fleet().all());
+      registry.getPrometheusRegistry().register((Collector) () -> lags(subject.fleet()));
+      registry
+          .getPrometheusRegistry()
+          .register((Collector) () -> takeovers(subject.fleet().takeovers()));
     }
+    add("", subject.figures());
     new JvmMemoryMetrics().bindTo(registry);
     collections.bindTo(registry);
     new JvmThreadMetrics().bindTo(registry);
@@ -152,9 +157,10 @@ final class Metrics implements AutoCloseable {
     return added;
   }
 
-  private void addFleet(FleetFigures figures) {
-    for (FleetFigures.Figure figure : fleet) {
-      String name = PREFIX + "fleet." + figure.name();
+  private void add(String prefix, List<Figure> added) {
+    figures.addAll(added);
+    for (Figure figure : added) {
+      String name = PREFIX + prefix + figure.name();
       if (figure.isGauge()) {
         Gauge.builder(name, figure, f -> f.value().getAsDouble())
             .description(figure.help())
@@ -165,8 +171,6 @@ final class Metrics implements AutoCloseable {
             .register(registry);
       }
     }
-    registry.getPrometheusRegistry().register((Collector) () -> lags(figures));
-    registry.getPrometheusRegistry().register((Collector) () -> takeovers(figures.takeovers()));
   }
 
   private static GaugeSnapshot lags(FleetFigures figures) {

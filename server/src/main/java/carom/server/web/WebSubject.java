@@ -3,6 +3,7 @@ package carom.server.web;
 import carom.net.transport.NetworkCounter;
 import carom.server.access.Logins;
 import carom.server.fleet.FleetFigures;
+import carom.server.metrics.Figure;
 import carom.server.room.Room;
 import java.util.List;
 
@@ -15,6 +16,7 @@ import java.util.List;
  * @param network what the transport counts
  * @param logins where operators log in
  * @param fleet the fleet as the server sees it, or null if it is alone
+ * @param figures further numbers for the metrics
  */
 public record WebSubject(
     String name,
@@ -22,9 +24,11 @@ public record WebSubject(
     List<Room> rooms,
     List<NetworkCounter> network,
     Logins logins,
-    FleetFigures fleet) {
+    FleetFigures fleet,
+    List<Figure> figures) {
   /** Copies the lists. */
   public WebSubject {
     network = List.copyOf(network);
+    figures = List.copyOf(figures);
   }
 }

@@ -7,6 +7,9 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.BestEntry;
+import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.BestLists;
 import carom.net.protocol.ServerMessage.Fleet;
 import carom.net.protocol.ServerMessage.GameMessage;
 import carom.net.protocol.ServerMessage.Goodbye;
@@ -83,6 +86,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Redirect.class, new RedirectSerializer(), id++);
     kryo.register(Fleet.class, new FleetSerializer(), id++);
     kryo.register(Move.class, new MoveSerializer(), id++);
+    kryo.register(BestLists.class, new BestListsSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -488,6 +492,43 @@ public final class KryoMessageCodec implements MessageCodec {
         metadata.put(key, readText(in, "value", ProtocolLimits.MAX_METADATA_VALUE_BYTES));
       }
       return Collections.unmodifiableMap(metadata);
+    }
+  }
+
+  private static final class BestListsSerializer extends MessageSerializer<BestLists> {
+    @Override
+    protected void write(Output out, BestLists m) {
+      writeInt(out, "lists", m.lists().size(), 0, ProtocolLimits.MAX_BEST_LISTS);
+      for (BestList list : m.lists()) {
+        writeText(out, "field", list.field(), ProtocolLimits.MAX_FIELD_NAME_BYTES);
+        int count = list.entries().size();
+        writeInt(out, "entries", count, 0, ProtocolLimits.MAX_BEST_ENTRIES);
+        writeInt(out, "own", list.own() + 1, 0, count);
+        for (BestEntry entry : list.entries()) {
+          writeText(out, "name", entry.name(), ProtocolLimits.MAX_NAME_BYTES);
+          writeText(out, "value", entry.value(), ProtocolLimits.MAX_BEST_VALUE_BYTES);
+        }
+      }
+    }
+
+    @Override
+    protected BestLists read(Input in) {
+      int lists = readInt(in, "lists", 0, ProtocolLimits.MAX_BEST_LISTS);
+      List<BestList> all = new ArrayList<>(lists);
+      for (int i = 0; i < lists; i++) {
+        String field = readText(in, "field", ProtocolLimits.MAX_FIELD_NAME_BYTES);
+        int count = readInt(in, "entries", 0, ProtocolLimits.MAX_BEST_ENTRIES);
+        int own = readInt(in, "own", 0, count) - 1;
+        List<BestEntry> entries = new ArrayList<>(count);
+        for (int j = 0; j < count; j++) {
+          entries.add(
+              new BestEntry(
+                  readText(in, "name", ProtocolLimits.MAX_NAME_BYTES),
+                  readText(in, "value", ProtocolLimits.MAX_BEST_VALUE_BYTES)));
+        }
+        all.add(new BestList(field, own, entries));
+      }
+      return new BestLists(all);
     }
   }
 }

@@ -68,6 +68,12 @@ public sealed interface ClientMessage {
   record ListRooms(int protocolVersion) implements ClientMessage {}
 
   /**
+   * Asks for the best of what the accounts of the room's game keep, while playing. {@link
+   * ServerMessage.BestLists} answers.
+   */
+  record ListBest() implements ClientMessage {}
+
+  /**
    * Asks to go on in another room, over the same link and in the same session. A {@link
    * ServerMessage.Welcome} answers, or a {@link ServerMessage.Notice} that says why the player
    * stays.

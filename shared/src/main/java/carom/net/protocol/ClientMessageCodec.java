@@ -35,6 +35,7 @@ public final class ClientMessageCodec {
   private static final byte POOL_REQUEST = 14;
   private static final byte PASSWORD = 15;
   private static final byte STANDBY = 16;
+  private static final byte LIST_BEST = 17;
   private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
@@ -108,6 +109,8 @@ public final class ClientMessageCodec {
       buffer.put(HEARD).putInt(inRange("Heard.number", heard.number(), 0, Integer.MAX_VALUE));
     } else if (message instanceof ClientMessage.ListRooms list) {
       buffer.put(LIST_ROOMS).putInt(list.protocolVersion());
+    } else if (message instanceof ClientMessage.ListBest) {
+      buffer.put(LIST_BEST);
     } else if (message instanceof ClientMessage.ChangeRoom change) {
       if (change.room().isEmpty()) {
         throw new IllegalArgumentException("ChangeRoom.room is empty; it must name a room");
@@ -233,6 +236,7 @@ public final class ClientMessageCodec {
       case LIST_ROOMS -> decodeListRooms(buffer);
       case CHANGE_ROOM -> decodeChangeRoom(buffer);
       case PASSWORD -> decodePassword(buffer);
+      case LIST_BEST -> buffer.hasRemaining() ? null : new ClientMessage.ListBest();
       case STANDBY -> decodeStandby(buffer);
       default -> null;
     };

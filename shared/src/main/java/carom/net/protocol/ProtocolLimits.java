@@ -122,5 +122,17 @@ public final class ProtocolLimits {
   /** Longest value of a room's metadata. */
   public static final int MAX_METADATA_VALUE_BYTES = 48;
 
+  /** Most lists of {@link ServerMessage.BestLists}. */
+  public static final int MAX_BEST_LISTS = 16;
+
+  /** Most entries of one of them. */
+  public static final int MAX_BEST_ENTRIES = 10;
+
+  /** Longest value of an entry. */
+  public static final int MAX_BEST_VALUE_BYTES = 32;
+
+  /** Longest name of a field. */
+  public static final int MAX_FIELD_NAME_BYTES = 32;
+
   private ProtocolLimits() {}
 }

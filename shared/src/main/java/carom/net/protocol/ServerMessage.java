@@ -268,6 +268,41 @@ public sealed interface ServerMessage {
       Map<String, String> metadata) {}
 
   /**
+   * Lists the best of what the accounts of the room's game keep, in answer to {@link
+   * ClientMessage.ListBest}.
+   *
+   * @param lists at most {@link ProtocolLimits#MAX_BEST_LISTS}, one for each field that has any
+   */
+  record BestLists(List<BestList> lists) implements ServerMessage {
+    /** Copies the list. */
+    public BestLists {
+      lists = List.copyOf(lists);
+    }
+  }
+
+  /**
+   * One list of {@link BestLists}.
+   *
+   * @param field name of the field
+   * @param own index of the player's own entry, or -1
+   * @param entries at most {@link ProtocolLimits#MAX_BEST_ENTRIES}, the best first
+   */
+  record BestList(String field, int own, List<BestEntry> entries) {
+    /** Copies the list. */
+    public BestList {
+      entries = List.copyOf(entries);
+    }
+  }
+
+  /**
+   * One entry of a {@link BestList}.
+   *
+   * @param name under which the account's player played last
+   * @param value for people, at most {@link ProtocolLimits#MAX_BEST_VALUE_BYTES}
+   */
+  record BestEntry(String name, String value) {}
+
+  /**
    * Shows a line on the player's screen.
    *
    * @param text at most {@link ProtocolLimits#MAX_TEXT_BYTES} in UTF-8

@@ -89,6 +89,10 @@ final class KryoMessageCodecTest {
         new ServerMessage.RoomList(0, List.of()),
         new ServerMessage.RoomList(
             48, Collections.nCopies(ProtocolLimits.MAX_LISTED_ROOMS, largestRoom())),
+        new ServerMessage.BestLists(List.of()),
+        new ServerMessage.BestLists(
+            Collections.nCopies(ProtocolLimits.MAX_BEST_LISTS, largestBestList())),
+        new ClientMessage.ListBest(),
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
@@ -97,6 +101,17 @@ final class KryoMessageCodecTest {
         new ClientMessage.Standby(1, -5, 99, "cup"),
         new ClientMessage.Leave(),
         new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
+  }
+
+  private static ServerMessage.BestList largestBestList() {
+    ServerMessage.BestEntry entry =
+        new ServerMessage.BestEntry(
+            "n".repeat(ProtocolLimits.MAX_NAME_BYTES),
+            "v".repeat(ProtocolLimits.MAX_BEST_VALUE_BYTES));
+    return new ServerMessage.BestList(
+        "f".repeat(ProtocolLimits.MAX_FIELD_NAME_BYTES),
+        ProtocolLimits.MAX_BEST_ENTRIES - 1,
+        Collections.nCopies(ProtocolLimits.MAX_BEST_ENTRIES, entry));
   }
 
   private static ServerMessage.RoomEntry largestRoom() {

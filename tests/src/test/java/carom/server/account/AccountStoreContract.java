@@ -109,11 +109,52 @@ abstract class AccountStoreContract {
         assertTrue(store.write(AccountWrite.of(now, "P" + i, "race", PLACE, true, true)));
       }
       assertEquals(
-          List.of(new AccountStore.Row("P3", 30), new AccountStore.Row("P2", 20)),
+          List.of(new AccountStore.Row("best3", "P3", 30), new AccountStore.Row("best2", "P2", 20)),
           store.best("race", "wins", false, 0, 2));
       assertEquals(
           List.of("P1", "P2", "P3"),
           store.best("race", "wins", true, 0, 5).stream().map(AccountStore.Row::name).toList());
+    }
+  }
+
+  @Test
+  void accountsAreFoundByIdAndByName() throws Exception {
+    try (AccountStore store = store()) {
+      for (String account : List.of("find1", "find2")) {
+        Stay stay = begin(store, account, false);
+        assertTrue(store.write(write(stay, true, 3, 1, 2)));
+      }
+      assertEquals(List.of("find2"), ids(store.find("find2", 5)));
+      assertEquals(List.of("find1", "find2"), ids(store.find("aNN", 5)).subList(0, 2));
+      AccountStore.KnownValue wins =
+          store.find("find1", 5).get(0).values().stream()
+              .filter(value -> value.field().equals("wins"))
+              .findAny()
+              .orElseThrow();
+      assertEquals(3, wins.kept().word());
+      assertEquals("duel", wins.game());
+      assertEquals(List.of(), store.find("nobody", 5));
+    }
+  }
+
+  private static List<String> ids(List<AccountStore.Known> found) {
+    return found.stream().map(AccountStore.Known::account).toList();
+  }
+
+  @Test
+  void whatIsForgottenNoEarlierStayWritesAgain() throws Exception {
+    try (AccountStore store = store()) {
+      Stay first = begin(store, "forgotten", false);
+      assertTrue(store.write(write(first, false, 7, 1, 1)));
+      long stamp = store.forget("forgotten", first.stamp());
+      assertTrue(stamp > first.stamp());
+      assertFalse(store.write(write(first, false, 8, 1, 1)), "while the player is in");
+      assertFalse(store.write(write(first.resumed(), true, 8, 1, 1)), "after a crash, too");
+      Stay next = begin(store, "forgotten", false);
+      assertArrayEquals(new int[3], next.values().words("duel", SCHEMA));
+      assertTrue(next.stamp() > stamp);
+      assertTrue(store.write(write(next, true, 1, 0, 0)), "it begins anew");
+      assertEquals(0, store.forget("never seen", 0));
     }
   }
 

@@ -100,12 +100,45 @@ public final class MemoryAccounts implements AccountStore {
         (account, row) -> {
           int value = value(account, game, field);
           if (value != start) {
-            rows.add(new AccountStore.Row(row.name, value));
+            rows.add(new AccountStore.Row(account, row.name, value));
           }
         });
     Comparator<AccountStore.Row> order = Comparator.comparingInt(AccountStore.Row::word);
     rows.sort(lowest ? order : order.reversed());
     return rows.subList(0, Math.min(most, rows.size()));
+  }
+
+  @Override
+  public List<Known> find(String who, int most) throws IOException {
+    require(!isDown);
+    List<Known> found = new ArrayList<>();
+    accounts.forEach(
+        (account, row) -> {
+          if (account.equals(who) || row.name.equalsIgnoreCase(who)) {
+            List<KnownValue> values = new ArrayList<>();
+            AccountWrite.Place nowhere = new AccountWrite.Place("", 0, 0);
+            kept.getOrDefault(account, Map.of())
+                .forEach(
+                    (game, all) ->
+                        all.forEach((f, v) -> values.add(new KnownValue(game, f, v, nowhere))));
+            found.add(new Known(account, row.name, values));
+          }
+        });
+    found.sort(Comparator.comparing(Known::account));
+    return found.subList(0, Math.min(most, found.size()));
+  }
+
+  @Override
+  public long forget(String account, long known) throws IOException {
+    require(!isDown);
+    Row row = accounts.get(account);
+    if (row == null) {
+      return 0;
+    }
+    long next = Stay.nextJoin(Math.max(known, Math.max(row.issued, row.stamp)));
+    accounts.put(account, new Row(next, next, false, ""));
+    kept.remove(account);
+    return next;
   }
 
   @Override

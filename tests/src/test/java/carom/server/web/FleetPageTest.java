@@ -80,7 +80,13 @@ final class FleetPageTest {
             Set.of());
     WebSubject subject =
         new WebSubject(
-            "Carom", "test", node.server.rooms(), List.of(), logins, node.member.figures());
+            "Carom",
+            "test",
+            node.server.rooms(),
+            List.of(),
+            logins,
+            node.member.figures(),
+            List.of());
     InetAddress here = InetAddress.getLoopbackAddress();
     web = new WebServer(here, 0, subject, new LivePage(config, subject));
     player = new Thread(this::play, "fleet-page");

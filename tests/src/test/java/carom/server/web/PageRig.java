@@ -82,7 +82,8 @@ final class PageRig implements AutoCloseable {
             proxies,
             Set.of("carom.example"));
     WebSubject subject =
-        new WebSubject("Carom", "test", stepper.server().rooms(), List.of(), logins, null);
+        new WebSubject(
+            "Carom", "test", stepper.server().rooms(), List.of(), logins, null, List.of());
     web =
         new WebServer(InetAddress.getLoopbackAddress(), 0, subject, new LivePage(config, subject));
     player = new Thread(this::play, "page-rig");

@@ -59,7 +59,8 @@ final class WebServerTest {
   }
 
   private WebSubject subject(List<NetworkCounter> network) {
-    return new WebSubject("Carom", "1.2.3", stepper.server().rooms(), network, logins, null);
+    return new WebSubject(
+        "Carom", "1.2.3", stepper.server().rooms(), network, logins, null, List.of());
   }
 
   @AfterEach

@@ -51,7 +51,8 @@ final class WebSiegeTest {
             stepper.server().rooms(),
             List.of(counter),
             Logins.begin(System::nanoTime),
-            null);
+            null,
+            List.of());
     web = new WebServer(LOOPBACK, 0, subject, null);
   }
 

@@ -50,7 +50,8 @@ public final class WebTarget implements FuzzTarget {
     try {
       InetAddress loopback = InetAddress.getLoopbackAddress();
       List<Room> rooms = stepper.server().rooms();
-      WebSubject subject = new WebSubject("Carom", "test", rooms, List.of(), logins, null);
+      WebSubject subject =
+          new WebSubject("Carom", "test", rooms, List.of(), logins, null, List.of());
       web = new WebServer(loopback, 0, subject, new LivePage(config, subject));
       port = URI.create(web.url()).getPort();
     } catch (IOException e) {

@@ -1,18 +1,26 @@
 package carom.client.desktop.menu;
 
+import carom.net.protocol.ServerMessage.BestList;
 import com.badlogic.gdx.InputProcessor;
 import com.badlogic.gdx.scenes.scene2d.ui.Table;
 import com.badlogic.gdx.utils.Disposable;
+import java.util.List;
 
 /**
- * The menu over a game, which goes on meanwhile: back to the game, settings, rooms, leave, quit.
- * Render thread only.
+ * The menu over a game, which goes on meanwhile: back to the game, settings, the best, rooms,
+ * leave, quit. Render thread only.
  */
 public final class PauseMenu implements Disposable {
   /** Receives what the player chooses. */
   public interface Actions {
     /** Closes the menu: keys are the game's again. */
     void resume();
+
+    /** Asks the server for the best lists. */
+    void askForBest();
+
+    /** Returns the best lists as they were told last; null before. */
+    List<BestList> best();
 
     /** Shows the other rooms of the server. */
     void rooms();
@@ -25,14 +33,18 @@ public final class PauseMenu implements Disposable {
   }
 
   private static final float WIDTH = 320;
-  private static final float SETTINGS_WIDTH = 560;
+  private static final float PAGE_WIDTH = 560;
 
   private final Widgets widgets;
   private final Actions actions;
   private final MenuStage stage = new MenuStage(this::submit, this::back);
-  private final SettingsPage settings;
+  private final Page settings;
+  private final Page best;
+
+  /** The page that shows, or null for the choice among them. */
+  private Page page;
+
   private boolean open;
-  private boolean showsSettings;
   private boolean stale;
 
   /** Creates a menu that is closed. The widgets and the host stay the property of the caller. */
@@ -40,6 +52,7 @@ public final class PauseMenu implements Disposable {
     this.widgets = widgets;
     this.actions = actions;
     settings = new SettingsPage(widgets, host, stage, () -> stale = true);
+    best = new BestPage(widgets, actions::askForBest, actions::best);
   }
 
   /** Returns whether the menu shows and takes keys. */
@@ -50,7 +63,7 @@ public final class PauseMenu implements Disposable {
   /** Shows the menu; returns what receives keys and mouse meanwhile. */
   public InputProcessor open() {
     open = true;
-    showsSettings = false;
+    page = null;
     stage.focus(0);
     stale = true;
     return stage.input();
@@ -62,22 +75,22 @@ public final class PauseMenu implements Disposable {
   }
 
   private void submit() {
-    if (showsSettings) {
-      settings.submit();
+    if (page != null) {
+      page.submit();
     }
   }
 
   private void back() {
-    if (showsSettings) {
-      settings.close();
-      turn(false);
+    if (page != null) {
+      page.close();
+      turn(null);
     } else {
       close();
     }
   }
 
-  private void turn(boolean toSettings) {
-    showsSettings = toSettings;
+  private void turn(Page to) {
+    page = to;
     stage.focus(0);
     stale = true;
   }
@@ -85,23 +98,24 @@ public final class PauseMenu implements Disposable {
   private void build() {
     stale = false;
     Table panel = widgets.panel();
-    if (showsSettings) {
-      Table page = new Table();
-      settings.build(page.top());
-      panel.add(widgets.scroll(page)).grow().row();
+    if (page != null) {
+      Table content = new Table();
+      page.build(content.top());
+      panel.add(widgets.scroll(content)).grow().row();
       panel.add(widgets.button("Back", this::back)).height(Widgets.HEIGHT).growX().padTop(10);
     } else {
       panel.defaults().height(Widgets.HEIGHT + 6).growX().space(8);
       panel.add(widgets.heading("The game goes on")).center().row();
       panel.add(widgets.button("Back to the game", this::close)).row();
-      panel.add(widgets.button("Settings", () -> turn(true))).row();
+      panel.add(widgets.button("Settings", () -> turn(settings))).row();
+      panel.add(widgets.button("The best", () -> turn(best))).row();
       panel.add(widgets.button("Rooms", this::rooms)).row();
       panel.add(widgets.button("Leave the game", actions::leave)).row();
       panel.add(widgets.button("Quit Carom", actions::quit)).row();
     }
     Table root = new Table();
-    if (showsSettings) {
-      root.add(panel).width(SETTINGS_WIDTH).growY().pad(20);
+    if (page != null) {
+      root.add(panel).width(PAGE_WIDTH).growY().pad(20);
     } else {
       root.add(panel).width(WIDTH);
     }
@@ -118,6 +132,7 @@ public final class PauseMenu implements Disposable {
     if (!open) {
       return;
     }
+    stale |= page != null && page.update(System.nanoTime());
     if (stale) {
       build();
     }

@@ -99,6 +99,11 @@ public final class Widgets implements Disposable {
     return label;
   }
 
+  /** Returns a line of text that may be marked as the player's own. */
+  Label mark(String text, boolean own) {
+    return label(text, fonts.text(), own ? UiColours.ACCENT : UiColours.TEXT);
+  }
+
   /** Returns a heading. */
   public Label heading(String text) {
     return label(text, fonts.large(), UiColours.TEXT);

@@ -284,7 +284,7 @@ public final class JdbcAccounts implements AccountStore {
         c -> {
           try (PreparedStatement ask =
               c.prepareStatement(
-                  "SELECT a.name, k.word FROM carom.kept k JOIN carom.account a"
+                  "SELECT a.account, a.name, k.word FROM carom.kept k JOIN carom.account a"
                       + " ON a.account = k.account WHERE k.game = ? AND k.field = ?"
                       + " AND k.word <> ? ORDER BY "
                       + order
@@ -296,11 +296,89 @@ public final class JdbcAccounts implements AccountStore {
             List<Row> rows = new ArrayList<>();
             try (ResultSet found = ask.executeQuery()) {
               while (found.next()) {
-                rows.add(new Row(found.getString(1), found.getInt(2)));
+                rows.add(new Row(found.getString(1), found.getString(2), found.getInt(3)));
               }
             }
             return rows;
           }
+        });
+  }
+
+  @Override
+  public List<Known> find(String who, int most) throws IOException {
+    return transaction(
+        c -> {
+          try (PreparedStatement ask =
+              c.prepareStatement(
+                  "SELECT account, name FROM carom.account WHERE account = ?"
+                      + " OR LOWER(name) = LOWER(?) ORDER BY account LIMIT ?")) {
+            ask.setString(1, who);
+            ask.setString(2, who);
+            ask.setInt(3, most);
+            List<Known> all = new ArrayList<>();
+            try (ResultSet found = ask.executeQuery()) {
+              while (found.next()) {
+                String account = found.getString(1);
+                all.add(new Known(account, found.getString(2), valuesOf(c, account)));
+              }
+            }
+            return all;
+          }
+        });
+  }
+
+  private static List<KnownValue> valuesOf(Connection c, String account) throws SQLException {
+    try (PreparedStatement ask =
+        c.prepareStatement(
+            "SELECT game, field, form, word, room, match_number, tick FROM carom.kept"
+                + " WHERE account = ? ORDER BY game, field")) {
+      ask.setString(1, account);
+      List<KnownValue> values = new ArrayList<>();
+      try (ResultSet found = ask.executeQuery()) {
+        while (found.next()) {
+          values.add(
+              new KnownValue(
+                  found.getString(1),
+                  found.getString(2),
+                  new AccountValues.Kept(found.getString(3), found.getInt(4)),
+                  new AccountWrite.Place(found.getString(5), found.getInt(6), found.getInt(7))));
+        }
+      }
+      return values;
+    }
+  }
+
+  @Override
+  public long forget(String account, long known) throws IOException {
+    return transaction(
+        c -> {
+          long newest = known;
+          try (PreparedStatement ask =
+              c.prepareStatement(
+                  "SELECT issued, stamp FROM carom.account WHERE account = ? FOR UPDATE")) {
+            ask.setString(1, account);
+            try (ResultSet found = ask.executeQuery()) {
+              if (!found.next()) {
+                return 0L;
+              }
+              newest = Math.max(newest, Math.max(found.getLong(1), found.getLong(2)));
+            }
+          }
+          long next = Stay.nextJoin(newest);
+          try (PreparedStatement clear =
+                  c.prepareStatement("DELETE FROM carom.kept WHERE account = ?");
+              PreparedStatement put =
+                  c.prepareStatement(
+                      "UPDATE carom.account SET issued = ?, stamp = ?, playing = FALSE, name = ''"
+                          + " WHERE account = ?")) {
+            clear.setString(1, account);
+            clear.executeUpdate();
+            put.setLong(1, next);
+            put.setLong(2, next);
+            put.setString(3, account);
+            put.executeUpdate();
+          }
+          return next;
         });
   }
 
