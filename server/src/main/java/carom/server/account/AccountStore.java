@@ -14,7 +14,7 @@ public interface AccountStore extends AutoCloseable {
   record Row(String account, String name, int word) {}
 
   /**
-   * What is kept of an account.
+   * The values of an account, as the store has them.
    *
    * @param name the name under which its player played last
    * @param values one for each value
