@@ -41,6 +41,7 @@ public final class FrameCapture {
 
   private final SimulationHost simulation;
   private final FrameRing ring;
+  private final ThinEvents thinEvents;
   private final Deltas deltas;
   private final InterestIndex index;
   private final FieldCapture fields;
@@ -72,6 +73,7 @@ public final class FrameCapture {
   public FrameCapture(SimulationHost simulation) {
     this.simulation = simulation;
     this.ring = new FrameRing(ProtocolLimits.MAX_ENTITIES);
+    this.thinEvents = new ThinEvents(ring.events());
     this.index = new InterestIndex(simulation);
     ring.gravity(simulation.level().gravityX(), simulation.level().gravityY());
     ring.level(
@@ -233,6 +235,11 @@ public final class FrameCapture {
   /** Returns the captured frames. */
   public FrameRing frames() {
     return ring;
+  }
+
+  /** Returns the captured events, for thin clients. */
+  ThinEvents thinEvents() {
+    return thinEvents;
   }
 
   private static int recipients(Audience audience, int team) {

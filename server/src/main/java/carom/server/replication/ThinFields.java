@@ -53,6 +53,9 @@ final class ThinFields {
   /** By word of the match: whether it is for clients that predict alone. */
   private final boolean[] isOfRules;
 
+  /** Whether any field of a player depends on who sees its body. */
+  private final boolean sightMatters;
+
   private final List<FieldValue> changes = new ArrayList<>();
 
   ThinFields(SimulationHost simulation, HostPlayer player, IntPredicate sees) {
@@ -62,6 +65,11 @@ final class ThinFields {
     this.sees = sees;
     match = new Known(schema.toldWords(Scope.MATCH));
     isOfRules = new boolean[schema.toldWords(Scope.MATCH)];
+    boolean near = false;
+    for (int word = 0; word < schema.toldWords(Scope.PLAYER); word++) {
+      near |= schema.field(Scope.PLAYER, word).audience() == Audience.NEAR;
+    }
+    sightMatters = near;
     for (int word = 0; word < isOfRules.length; word++) {
       isOfRules[word] = simulation.isOfRules(schema.field(Scope.MATCH, word));
     }
@@ -118,7 +126,7 @@ final class ThinFields {
     if (all || other == player) {
       return NEAR | TEAM | OWNER;
     }
-    HostEntity body = other.entity();
+    HostEntity body = sightMatters ? other.entity() : null;
     return (body != null && sees.test(body.id()) ? NEAR : 0)
         | (other.team() == player.team() ? TEAM : 0);
   }

@@ -1,7 +1,5 @@
 package carom.server.replication;
 
-import carom.net.codec.Quantizer;
-import carom.net.snapshot.frame.EventRecord;
 import carom.net.snapshot.frame.EventRing;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -9,11 +7,12 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.thin.ThinLink;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
-import carom.sim.near.Neighbourhood;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
@@ -53,6 +52,7 @@ final class ThinSender {
   private static final int BURST_PER_SECOND = 2;
 
   private final FrameRing frames;
+  private final ThinEvents thinEvents;
   private final SimulationHost simulation;
   private final ThinLink link;
   private final Supplier<ServerConfig> config;
@@ -60,6 +60,7 @@ final class ThinSender {
   private final SessionView view;
   private final ThinFields fields;
   private final ThinSnapshot snapshot = new ThinSnapshot();
+  private final List<ThinNews> news = new ArrayList<>();
   private final int tickRateHz;
 
   // By slot: what the client was told last, and since which tick it is told so.
@@ -105,6 +106,7 @@ final class ThinSender {
     this.config = config;
     this.counters = counters;
     frames = capture.frames();
+    thinEvents = capture.thinEvents();
     simulation = capture.index().simulation();
     ServerConfig now = config.get();
     tickRateHz = now.get(ServerConfig.TICK_RATE);
@@ -174,10 +176,18 @@ final class ThinSender {
       fieldsTick = snapshot.tick;
       ThinServerMessage.Fields changed = fields.changes();
       if (changed != null) {
-        link.news(changed);
+        news.add(new ThinNews(changed));
       }
     }
     tellJoints();
+    tellNews();
+  }
+
+  private void tellNews() {
+    if (!news.isEmpty()) {
+      link.news(news);
+      news.clear();
+    }
   }
 
   /** Tells the joints whenever one came or went, and looks now and then for what came in sight. */
@@ -190,7 +200,7 @@ final class ThinSender {
     ThinServerMessage.Joints now = ThinMatches.joints(simulation, this::sees);
     if (!now.equals(joints)) {
       joints = now;
-      link.news(now);
+      news.add(new ThinNews(now));
     }
   }
 
@@ -203,29 +213,13 @@ final class ThinSender {
         continue;
       }
       if (count++ < MOST_EVENTS) {
-        link.news(event(events.at(nextEvent)));
+        news.add(thinEvents.at(nextEvent));
         counters.add(Counter.EVENTS_OFFERED, 1);
       } else {
         counters.add(Counter.EVENTS_LOST, 1);
       }
     }
-  }
-
-  private static ThinServerMessage.Event event(EventRecord e) {
-    return new ThinServerMessage.Event(
-        e.kind,
-        e.tick,
-        Quantizer.positionOf(e.x),
-        Quantizer.positionOf(e.y),
-        e.strengthOf(),
-        e.player,
-        idOf(e.first),
-        idOf(e.second),
-        e.data);
-  }
-
-  private static int idOf(int key) {
-    return key < 0 ? EventRecord.NONE : Neighbourhood.id(key);
+    tellNews();
   }
 
   private void fill() {

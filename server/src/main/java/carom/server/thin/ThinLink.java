@@ -111,12 +111,13 @@ public abstract class ThinLink implements Link {
   // What a door does.
 
   /**
-   * Sends a message, reliably and in order. Any thread; never blocks. If too much waits for the
+   * Sends messages, reliably and in order. Any thread; never blocks. If too much waits for the
    * peer, the door closes the link.
    *
+   * @param news valid only during the call
    * @return false if the link is closed
    */
-  protected abstract boolean write(ThinServerMessage message);
+  protected abstract boolean write(List<ThinNews> news);
 
   /**
    * Returns whether the peer takes a snapshot now: nothing of an earlier one waits on this side. If
@@ -174,10 +175,15 @@ public abstract class ThinLink implements Link {
 
   /** Tells the client something, reliably and in order; see {@link #write}. Any thread. */
   protected final boolean tell(ThinServerMessage message) {
+    return tell(List.of(new ThinNews(message)));
+  }
+
+  private boolean tell(List<ThinNews> news) {
     if (down == null) {
-      return write(message);
+      return write(news);
     }
-    down.reliable(() -> write(message));
+    List<ThinNews> copy = List.copyOf(news);
+    down.reliable(() -> write(copy));
     return state == State.OPEN;
   }
 
@@ -386,9 +392,13 @@ public abstract class ThinLink implements Link {
     close("refused: " + text);
   }
 
-  /** Tells the client something; the room's thread. */
-  public final boolean news(ThinServerMessage message) {
-    return state == State.OPEN && maySend() && tell(message);
+  /**
+   * Tells the client several things; the room's thread.
+   *
+   * @param news valid only during the call
+   */
+  public final boolean news(List<ThinNews> news) {
+    return state == State.OPEN && maySend() && tell(news);
   }
 
   // A link, as lobby and room see it.

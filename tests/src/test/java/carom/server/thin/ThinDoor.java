@@ -60,7 +60,12 @@ final class ThinDoor implements ServerTransport {
     }
 
     @Override
-    protected boolean write(ThinServerMessage message) {
+    protected boolean write(List<ThinNews> news) {
+      news.forEach(one -> take(one.message()));
+      return state() == State.OPEN;
+    }
+
+    private void take(ThinServerMessage message) {
       heard.add(message);
       if (message instanceof ThinServerMessage.Welcome w) {
         welcome = w;
@@ -76,7 +81,6 @@ final class ThinDoor implements ServerTransport {
         r.players().forEach(p -> players.put(p.id(), p));
         r.gone().forEach(players::remove);
       }
-      return state() == State.OPEN;
     }
 
     @Override

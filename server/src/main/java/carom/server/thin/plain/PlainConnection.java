@@ -7,6 +7,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.RefusalReason;
 import carom.server.thin.GameClasses;
 import carom.server.thin.ThinClientMessage;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinServerMessage;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -15,6 +16,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * A TCP connection at the door, from its first byte to its last, with the UDP address that belongs
@@ -316,22 +318,25 @@ final class PlainConnection implements Entrance.Guest {
   }
 
   /**
-   * Sends a message; any thread.
+   * Sends messages; any thread.
    *
-   * @return its bytes, or -1 if too much waits; 0 if the connection has ended
+   * @return their bytes, or -1 if too much waits; 0 if the connection has ended
    */
-  int tell(ThinServerMessage message) {
+  int tell(List<ThinNews> news) {
     synchronized (out) {
       if (ended) {
         return 0;
       }
-      if (isFull()) {
-        return -1;
+      int bytes = 0;
+      for (int i = 0; i < news.size(); i++) {
+        if (isFull()) {
+          return -1;
+        }
+        int before = out.length();
+        encoder.encode(out, news.get(i).message());
+        bytes += out.length() - before;
       }
-      int before = out.length();
-      encoder.encode(out, message);
-      int bytes = out.length() - before;
-      flush();
+      flush(); // once, as each call of the system costs more than a message
       return bytes;
     }
   }
@@ -444,7 +449,9 @@ final class PlainConnection implements Entrance.Guest {
       return;
     }
     to.gone(why);
-    tell(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why));
+    tell(
+        List.of(
+            new ThinNews(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why))));
     leave(why, System.nanoTime());
   }
 

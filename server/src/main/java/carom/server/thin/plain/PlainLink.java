@@ -4,9 +4,10 @@ import carom.net.protocol.ProtocolLimits;
 import carom.server.thin.GameClasses;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
-import carom.server.thin.ThinServerMessage;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinSnapshot;
 import java.net.InetSocketAddress;
+import java.util.List;
 
 /** A thin client behind a connection of stock KryoNet that has asked to join. */
 final class PlainLink extends ThinLink {
@@ -57,8 +58,8 @@ final class PlainLink extends ThinLink {
   }
 
   @Override
-  protected boolean write(ThinServerMessage message) {
-    int bytes = connection.tell(message);
+  protected boolean write(List<ThinNews> news) {
+    int bytes = connection.tell(news);
     if (bytes < 0) {
       close("the client doesn't read what it is sent");
       return false;

@@ -22,6 +22,11 @@ final class Bytes {
     return ByteBuffer.wrap(bytes, 0, length);
   }
 
+  /** Returns a copy of the bytes. */
+  byte[] toArray() {
+    return Arrays.copyOf(bytes, length);
+  }
+
   private void need(int more) {
     if (length + more > bytes.length) {
       bytes = Arrays.copyOf(bytes, Math.max(length + more, 2 * bytes.length));
@@ -32,6 +37,14 @@ final class Bytes {
   Bytes put(int value) {
     need(1);
     bytes[length++] = (byte) value;
+    return this;
+  }
+
+  /** Writes bytes. */
+  Bytes put(byte[] some) {
+    need(some.length);
+    System.arraycopy(some, 0, bytes, length, some.length);
+    length += some.length;
     return this;
   }
 

@@ -36,10 +36,15 @@ final class JsonWriter {
 
   private JsonWriter() {}
 
-  /** Returns a message as UTF-8. */
+  /** Returns a message as UTF-8; of an event only the value, as they go in lists. */
   static byte[] write(ThinServerMessage message) {
     ByteArrayOutputStream out = new ByteArrayOutputStream(256);
     try (JsonGenerator json = FACTORY.createGenerator(out)) {
+      if (message instanceof ThinServerMessage.Event) {
+        write(json, message);
+        json.flush();
+        return out.toByteArray();
+      }
       json.writeStartObject();
       json.writeFieldName(name(message));
       if (message instanceof ThinServerMessage.Fields fields) {

@@ -3,6 +3,7 @@ package carom.server.thin.web;
 import carom.net.admission.TokenBucket;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
 import io.undertow.websockets.core.AbstractReceiveListener;
@@ -15,7 +16,9 @@ import io.undertow.websockets.core.WebSockets;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * A thin client behind a WebSocket.
@@ -61,6 +64,8 @@ final class WebLink extends ThinLink {
   private static final int MAX_REASON = 120;
 
   private static final int WINDOW = 64; // a power of two
+
+  private static final Function<ThinServerMessage, byte[]> JSON = JsonWriter::write;
 
   private final WebSocketChannel channel;
   private final boolean isPlainText;
@@ -233,11 +238,37 @@ final class WebLink extends ThinLink {
   }
 
   @Override
-  protected boolean write(ThinServerMessage message) {
+  protected boolean write(List<ThinNews> news) {
+    for (int i = 0; i < news.size(); ) {
+      int end = i + 1;
+      while (isEvent(news.get(i)) && end < news.size() && isEvent(news.get(end))) {
+        end++; // a frame costs more than an event
+      }
+      byte[] text = isEvent(news.get(i)) ? events(news.subList(i, end)) : news.get(i).bytes(JSON);
+      if (!write(news.get(i).message(), text)) {
+        return false;
+      }
+      i = end;
+    }
+    return true;
+  }
+
+  private static boolean isEvent(ThinNews news) {
+    return news.message() instanceof ThinServerMessage.Event;
+  }
+
+  private static byte[] events(List<ThinNews> events) {
+    Bytes text = new Bytes().ascii("{\"events\":{\"events\":[");
+    for (int i = 0; i < events.size(); i++) {
+      text.ascii(i == 0 ? "" : ",").put(events.get(i).bytes(JSON));
+    }
+    return text.ascii("]}}").toArray();
+  }
+
+  private boolean write(ThinServerMessage message, byte[] text) {
     if (!channel.isOpen()) {
       return false;
     }
-    byte[] text = JsonWriter.write(message);
     synchronized (lock) {
       if (hungUp) {
         return false;

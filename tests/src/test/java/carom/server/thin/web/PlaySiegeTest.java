@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.access.AddressRange;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinServerMessage;
 import carom.suite.Needs;
 import java.io.IOException;
@@ -266,7 +267,7 @@ final class PlaySiegeTest {
         String line = "x".repeat(100_000);
         int told = 0;
         long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
-        while (link.news(new ThinServerMessage.Chat(1, line, false))) {
+        while (link.news(List.of(new ThinNews(new ThinServerMessage.Chat(1, line, false))))) {
           told++;
           assertTrue(System.nanoTime() < endNs, "told=" + told);
         }

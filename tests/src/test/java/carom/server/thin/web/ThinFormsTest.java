@@ -11,7 +11,7 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.thin.ThinClientMessage;
 import carom.server.thin.ThinLink;
-import carom.server.thin.ThinServerMessage;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinSnapshot;
 import carom.sim.Game;
 import carom.sim.entity.Input;
@@ -66,10 +66,12 @@ final class ThinFormsTest {
     }
 
     @Override
-    protected boolean write(ThinServerMessage message) {
-      byte[] text = JsonWriter.write(message);
-      WebPlayer.parsed(new String(text, StandardCharsets.UTF_8));
-      newsBytes += text.length;
+    protected boolean write(List<ThinNews> news) {
+      for (ThinNews one : news) {
+        byte[] text = JsonWriter.write(one.message());
+        WebPlayer.parsed(new String(text, StandardCharsets.UTF_8));
+        newsBytes += text.length;
+      }
       return true;
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.server.thin.ThinNews;
 import carom.server.thin.ThinServerMessage;
 import carom.server.thin.ThinSnapshot;
 import carom.suite.Needs;
@@ -99,7 +100,7 @@ final class WebLinkTest {
       ClientMessage.Hello hello = (ClientMessage.Hello) hear(link);
       assertEquals("Ann", hello.name());
       assertTrue(link.isPlainText());
-      link.news(new ThinServerMessage.Welcome(1, -2, 60, 30));
+      link.news(List.of(new ThinNews(new ThinServerMessage.Welcome(1, -2, 60, 30))));
       Json welcome = player.await("welcome");
       assertEquals("fffffffffffffffe", welcome.fields.get("secret").text);
       assertEquals(60, welcome.fields.get("tickRate").number);

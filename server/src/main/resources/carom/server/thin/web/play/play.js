@@ -63,16 +63,16 @@ const link = new Thin({
   },
   fields: value => world.learn(value),
   joints: ({joints}) => { world.joints = joints; },
-  event: value => {
-    const look = world.match?.events[value.kind];
+  events: ({events}) => events.forEach(event => {
+    const look = world.match?.events[event.kind];
     if (!look) return;
     // Shown with the bodies that it happens to, which are drawn a little late.
-    const waits = Math.max(0, (value.tick - world.shownTick(performance.now())) * 1000 / tickRate);
+    const waits = Math.max(0, (event.tick - world.shownTick(performance.now())) * 1000 / tickRate);
     setTimeout(() => {
-      picture.flash(look, value, performance.now());
-      sounds.play(look, value, picture.camera.x, picture.camera.y);
+      picture.flash(look, event, performance.now());
+      sounds.play(look, event, picture.camera.x, picture.camera.y);
     }, Math.min(500, waits));
-  },
+  }),
   chat: ({player, text, team}) => say(world.players.get(player), text, team),
   emote: ({player, emote}) => picture.emote(player, EMOTES[emote] || emote, performance.now()),
   rooms: takeRooms,
