@@ -250,6 +250,11 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void playPage(String host, ServerMessage.PlayPage page) {
+      view.playPage(host, page);
+    }
+
+    @Override
     public void notice(String text) {
       view.notice(text, nowNs);
     }

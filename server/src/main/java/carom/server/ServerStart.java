@@ -64,7 +64,7 @@ final class ServerStart {
 
   private final ServerFlags flags;
   private final GameChoice choice;
-  private final ServerConfig config;
+  private ServerConfig config;
   private final AccessLists access;
   private final AgonesService agones; // or null
   private GameServer pod; // or null if nothing is asked of it
@@ -238,6 +238,7 @@ final class ServerStart {
               Lobby.mostLinks(places),
               Lobby.mostLinksOfAddress(places));
       if (play != null) {
+        config = config.with(ServerConfig.PLAY_PORT, play.tcpPort()); // told to the players
         all.add(play);
         if (impairment != null) {
           play.simulate(impairment);

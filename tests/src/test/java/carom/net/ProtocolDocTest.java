@@ -255,6 +255,7 @@ class ProtocolDocTest {
         "fleet", codec.encode(new ServerMessage.Fleet(List.of("a.example.org:54555", b), b)));
     golden.put("move", codec.encode(new ServerMessage.Move(b, "", "cup", "ticket.x")));
     golden.put("pace", codec.encode(new ServerMessage.Pace(75, false)));
+    golden.put("play-page", codec.encode(new ServerMessage.PlayPage(8080, true)));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put(
         "pool-chunk",

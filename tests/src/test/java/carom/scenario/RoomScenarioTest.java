@@ -71,6 +71,29 @@ class RoomScenarioTest {
   }
 
   @Test
+  void playersAreToldTheLinkForBrowsersOfTheirRoom() {
+    ServerConfig config =
+        ServerConfig.defaults()
+            .with(ServerConfig.PLAY_PORT, 8080)
+            .with(ServerConfig.TLS_CERT, Path.of("some.pem"));
+    try (Stepper stepper =
+        Stepper.ofRooms(
+            config, MatchLibrary.INSTALLED, room("cup", 4, "arena"), room("b_2", 4, "arena"))) {
+      SimulatedClient client = add(stepper, "Ann", "cup", "");
+      stepper.awaitPlaying(client);
+      assertEquals("https://localhost:8080/play#room=cup", client.view().playLink());
+      client.game().changeRoom("b_2");
+      stepper.runUntil("is in b_2", () -> client.view().room().equals("b_2"), 10);
+      assertEquals("https://localhost:8080/play#room=b_2", client.view().playLink());
+    }
+    try (Stepper stepper = stepper(room("cup", 4, "arena"))) {
+      SimulatedClient client = add(stepper, "Ann", "cup", "");
+      stepper.awaitPlaying(client);
+      assertEquals("", client.view().playLink());
+    }
+  }
+
+  @Test
   void playersOfOneProcessPlayDifferentGamesInRoomsOfTheirChoice() {
     try (Stepper stepper = stepper(room("cup", 8, "arena"), room("jump", 8, "platformer"))) {
       SimulatedClient ann = join(stepper, "Ann", "jump", "");

@@ -237,6 +237,11 @@ final class GameScreen extends ScreenAdapter {
     }
 
     @Override
+    public String playLink() {
+      return client.view().playLink();
+    }
+
+    @Override
     public void leave() {
       exit.leave("");
     }

@@ -251,6 +251,8 @@ public final class Connection implements LinkHandler {
       listener.best(lists);
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
+    } else if (received instanceof ServerMessage.PlayPage page) {
+      listener.playPage(address.host(), page);
     } else if (received instanceof ServerMessage.Pace pace && stage == Stage.PLAYING) {
       listener.pace(pace);
     } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {

@@ -37,6 +37,9 @@ public interface ConnectionListener {
   /** Receives a line of the server for the player. */
   void notice(String text);
 
+  /** Receives where the server's page for browsers is. */
+  void playPage(String host, ServerMessage.PlayPage page);
+
   /** Receives the pace at which time passes from now on, and whether views are narrow. */
   void pace(ServerMessage.Pace pace);
 

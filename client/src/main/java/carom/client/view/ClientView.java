@@ -6,6 +6,7 @@ import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.PlayPage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -17,8 +18,11 @@ import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.pool.Pools;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * A read-only picture of the game for a player, at the moment of the client's last update. One
@@ -131,6 +135,8 @@ public final class ClientView {
   private int own = -1;
 
   String room = "";
+  String playHost = "";
+  PlayPage playPage = new PlayPage(0, false);
   int matchNumber;
   List<RoomEntry> rooms = List.of();
   List<BestList> best;
@@ -441,6 +447,24 @@ public final class ClientView {
   /** Returns the name of the room, or an empty string before a game was joined. */
   public String room() {
     return room;
+  }
+
+  /**
+   * Returns the link by which a browser plays in this room, such as {@code
+   * http://play.example.org:8080/play#room=cup}; empty if the server has no page for that.
+   */
+  public String playLink() {
+    if (playPage.port() == 0) {
+      return "";
+    }
+    String host = playHost.indexOf(':') < 0 ? playHost : "[" + playHost + "]";
+    return String.format(
+        Locale.ROOT,
+        "%s://%s:%d/play#room=%s",
+        playPage.encrypted() ? "https" : "http",
+        host,
+        playPage.port(),
+        URLEncoder.encode(room, StandardCharsets.UTF_8).replace("+", "%20"));
   }
 
   /** Returns the number of the room's match, from 1 on; 0 before a game was joined. */

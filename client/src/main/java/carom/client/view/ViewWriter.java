@@ -5,6 +5,7 @@ import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.PlayPage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -89,6 +90,12 @@ public final class ViewWriter {
   /** Sets the best lists of the room's game. */
   public void best(List<BestList> lists) {
     view.best = lists;
+  }
+
+  /** Sets where browsers play. */
+  public void playPage(String host, PlayPage page) {
+    view.playHost = host;
+    view.playPage = page;
   }
 
   /** Sets the tick that is predicted. */

@@ -53,7 +53,7 @@ final class ThinFields {
   /** By word of the match: whether it is for clients that predict alone. */
   private final boolean[] isOfRules;
 
-  /** Whether any field of a player depends on who sees its body. */
+  /** True if any field of a player depends on who sees its body. */
   private final boolean sightMatters;
 
   private final List<FieldValue> changes = new ArrayList<>();

@@ -140,6 +140,7 @@ final class Arrivals {
       departures.part(session.detach(nowNs), "resumed by another link", nowNs);
     }
     session.attach(a.link(), a.epoch());
+    a.link().send(page());
     if (a.match() == room.match().info().number()) {
       session.play(room.simulation().tick());
     } else {
@@ -166,6 +167,12 @@ final class Arrivals {
       greet(session, room.config().get(ServerConfig.WELCOME));
       greet(session, accounts.trouble(session));
     }
+  }
+
+  private ServerMessage.PlayPage page() {
+    Integer port = room.config().get(ServerConfig.PLAY_PORT);
+    boolean encrypted = room.config().get(ServerConfig.TLS_CERT) != null;
+    return new ServerMessage.PlayPage(port == null ? 0 : port, encrypted);
   }
 
   private void greet(Session session, String text) {

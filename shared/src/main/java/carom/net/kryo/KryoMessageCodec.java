@@ -18,6 +18,7 @@ import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Move;
 import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.Pace;
+import carom.net.protocol.ServerMessage.PlayPage;
 import carom.net.protocol.ServerMessage.PoolChunk;
 import carom.net.protocol.ServerMessage.RecordingChunk;
 import carom.net.protocol.ServerMessage.Redirect;
@@ -60,6 +61,8 @@ public final class KryoMessageCodec implements MessageCodec {
   }
 
   private final Kryo kryo = new Kryo();
+  private static final int MAX_PORT = 65_535;
+
   private final Output output = new Output(512, ProtocolLimits.MAX_SERVER_MESSAGE_BYTES);
   private final FrameInput input = new FrameInput();
   private final int classes;
@@ -87,6 +90,7 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Fleet.class, new FleetSerializer(), id++);
     kryo.register(Move.class, new MoveSerializer(), id++);
     kryo.register(BestLists.class, new BestListsSerializer(), id++);
+    kryo.register(PlayPage.class, new PlayPageSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -349,6 +353,20 @@ public final class KryoMessageCodec implements MessageCodec {
     protected Pace read(Input in) {
       int percent = inRange("percent", in.readByte(), 1, 100);
       return new Pace(percent, inRange("viewsNarrow", in.readByte(), 0, 1) == 1);
+    }
+  }
+
+  private static final class PlayPageSerializer extends MessageSerializer<PlayPage> {
+    @Override
+    protected void write(Output out, PlayPage m) {
+      writeInt(out, "port", m.port(), 0, MAX_PORT);
+      out.writeByte(m.encrypted() ? 1 : 0);
+    }
+
+    @Override
+    protected PlayPage read(Input in) {
+      int port = readInt(in, "port", 0, MAX_PORT);
+      return new PlayPage(port, inRange("encrypted", in.readByte(), 0, 1) == 1);
     }
   }
 

@@ -322,6 +322,14 @@ public sealed interface ServerMessage {
   }
 
   /**
+   * Tells where the server's page is on which browsers play.
+   *
+   * @param port 1..65,535, at the address by which the client came; 0 without a page
+   * @param encrypted whether it is reached by https
+   */
+  record PlayPage(int port, boolean encrypted) implements ServerMessage {}
+
+  /**
    * Admits a spectator.
    *
    * @param delaySeconds delay of the spectator behind the present, 1..65,535 s

@@ -7,8 +7,8 @@ import com.badlogic.gdx.utils.Disposable;
 import java.util.List;
 
 /**
- * The menu over a game, which goes on meanwhile: back to the game, settings, the best, rooms,
- * leave, quit. Render thread only.
+ * The menu over a game, which goes on meanwhile: back to the game, settings, the best, rooms, a
+ * link for friends, leave, quit. Render thread only.
  */
 public final class PauseMenu implements Disposable {
   /** Receives what the player chooses. */
@@ -24,6 +24,9 @@ public final class PauseMenu implements Disposable {
 
     /** Shows the other rooms of the server. */
     void rooms();
+
+    /** Returns the link by which a browser plays in this room, or an empty string. */
+    String playLink();
 
     /** Leaves the game. */
     void leave();
@@ -63,9 +66,7 @@ public final class PauseMenu implements Disposable {
   /** Shows the menu; returns what receives keys and mouse meanwhile. */
   public InputProcessor open() {
     open = true;
-    page = null;
-    stage.focus(0);
-    stale = true;
+    turn(null);
     return stage.input();
   }
 
@@ -82,7 +83,6 @@ public final class PauseMenu implements Disposable {
 
   private void back() {
     if (page != null) {
-      page.close();
       turn(null);
     } else {
       close();
@@ -90,6 +90,9 @@ public final class PauseMenu implements Disposable {
   }
 
   private void turn(Page to) {
+    if (page != null) {
+      page.close();
+    }
     page = to;
     stage.focus(0);
     stale = true;
@@ -110,16 +113,23 @@ public final class PauseMenu implements Disposable {
       panel.add(widgets.button("Settings", () -> turn(settings))).row();
       panel.add(widgets.button("The best", () -> turn(best))).row();
       panel.add(widgets.button("Rooms", this::rooms)).row();
+      if (!actions.playLink().isEmpty()) {
+        panel.add(widgets.button("Play in a browser", this::link)).row();
+      }
       panel.add(widgets.button("Leave the game", actions::leave)).row();
       panel.add(widgets.button("Quit Carom", actions::quit)).row();
     }
     Table root = new Table();
-    if (page != null) {
+    if (page == settings || page == best) {
       root.add(panel).width(PAGE_WIDTH).growY().pad(20);
     } else {
       root.add(panel).width(WIDTH);
     }
     stage.show(root);
+  }
+
+  private void link() {
+    turn(new LinkPage(widgets, actions.playLink(), () -> stale = true));
   }
 
   private void rooms() {
@@ -147,6 +157,7 @@ public final class PauseMenu implements Disposable {
 
   @Override
   public void dispose() {
+    turn(null);
     stage.dispose();
   }
 }
