@@ -59,7 +59,8 @@ final class LocalServersTest {
     List<String> levels = levelsWithFiles();
     assertTrue(
         levels.containsAll(
-            List.of("arena", "cars", "platformer", "quarry", "rockets", "shooter", "towers")),
+            List.of(
+                "arena", "cars", "orbit", "platformer", "quarry", "rockets", "shooter", "towers")),
         "levels=" + levels);
     for (String level : levels) {
       try (LocalServer game = LocalServers.start(new GameChoice(level, 3, false), 0, 0);

@@ -59,13 +59,24 @@ class SpawnScenarioTest {
   private static Level variant(String name, float reloadSeconds) {
     Games.add(() -> new RocketGame(name, reloadSeconds));
     try {
-      return parsed(
-          name,
-          new String(Level.builtIn("rockets").source(), StandardCharsets.UTF_8)
-              .replace("\"game\": \"rockets\"", "\"game\": \"" + name + "\""));
+      return parsed(name, source().replace("\"game\": \"rockets\"", "\"game\": \"" + name + "\""));
     } catch (Exception e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /** Returns the level without rocks, whose pieces come from the server. */
+  private static Level withoutRocks() {
+    try {
+      return parsed("rockets", source());
+    } catch (Exception e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static String source() throws Exception {
+    return new String(Level.builtIn("rockets").source(), StandardCharsets.UTF_8)
+        .replaceAll(",\\s*\\{ \"name\": \"rock\"[^}]*}", "");
   }
 
   private static Level parsed(String name, String json) {
@@ -119,7 +130,7 @@ class SpawnScenarioTest {
 
   @Test
   void aRocketAppearsInTheTickThatFiresItAndIsTheServersInEveryBit() {
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));
       stepper.awaitPlaying(ann);
       stepper.run(2);
@@ -147,7 +158,7 @@ class SpawnScenarioTest {
   @EnumSource(Condition.class)
   void nothingLivesOnWhateverTheNetworkDoes(Condition condition) {
     // Goal: after the last shot no provisional entity is left, and the picture is the server's.
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", condition.impairment(Stepper.SEED), shooter(0));
       SimulatedClient ben = stepper.add("Ben", condition.impairment(7), shooter(250));
       stepper.awaitPlaying(ann);
@@ -245,7 +256,7 @@ class SpawnScenarioTest {
   @Test
   void aShotThatNeverReachesTheServerGoesWithinARoundTrip() {
     // Goal: the input that fires is lost for good. Method: no datagram for 0.4 s around it.
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", FAR.withLoss(0), InputSource.IDLE);
       stepper.awaitPlaying(ann);
       stepper.run(2);
@@ -272,7 +283,7 @@ class SpawnScenarioTest {
   void whoDiesLeavesNoRocketsAndTheFightGoesOn() {
     // Goal: players die while their rockets fly. Method: Ben stands in Ann's line and shoots
     // upwards.
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann =
           stepper.add("Ann", FAR, (view, tick, out) -> out.hold(Input.ACTION, tick % 300 < 200));
       stepper.awaitPlaying(ann);
@@ -301,7 +312,7 @@ class SpawnScenarioTest {
 
   @Test
   void rocketsOutliveABrokenLinkAndAMatchThatEnds() {
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));
       stepper.awaitPlaying(ann);
       stepper.run(3);
@@ -333,7 +344,7 @@ class SpawnScenarioTest {
     // Goal: what Ann's input spawns, Ben's client predicts and draws once the server tells it.
     // Method:
     // both shoot near each other; Ben's states are compared with the server's by the stepper.
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       SimulatedClient ann = stepper.add("Ann", FAR, shooter(0));
       SimulatedClient ben = stepper.add("Ben", FAR, Scripts.wander(Stepper.SEED));
       stepper.awaitPlaying(ann);
@@ -360,7 +371,7 @@ class SpawnScenarioTest {
   @Test
   void aRecordingOfShotsPlaysBitByBit(@TempDir Path folder) throws Exception {
     Path file;
-    try (Stepper stepper = Stepper.of("rockets")) {
+    try (Stepper stepper = Stepper.of(withoutRocks(), ServerConfig.defaults())) {
       file = stepper.server().record(folder).get(0);
       stepper.add("Ann", FAR, shooter(0));
       stepper.add("Ben", FAR.withSeed(3), Scripts.wander(3));

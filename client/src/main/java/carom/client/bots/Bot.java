@@ -17,8 +17,8 @@ import java.util.Set;
  * it runs, jumps and collects coins. It decides several times a second, each bot at its own ticks,
  * and holds the same keys in between. In games that aren't Carom's own it also tries all keys.
  *
- * <p>A {@linkplain #skilled skilled} bot plays the arena and {@code rockets} better. Tests and
- * figures keep to the others, so that what they measure stays comparable.
+ * <p>A {@linkplain #skilled skilled} bot plays the arena better. Tests and figures keep to the
+ * others, so that what they measure stays comparable.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
@@ -106,7 +106,7 @@ public final class Bot implements InputSource {
   }
 
   /**
-   * Returns a bot that knows how to play Carom's own games: company for people.
+   * Returns a bot that plays as well as it can: company for people.
    *
    * @param seed equal seeds that see equal pictures play the same
    */

@@ -9,78 +9,46 @@ import carom.sim.entity.Input;
  * Plays {@code cars}: full throttle, level in the air as the ground below will be, nitro where the
  * road ahead is clear, flips where a flight is long enough.
  */
-public final class CarsBrain implements BotBrain {
-  /** A skill: how well it uses throttle, air and nitro. */
-  public enum Strength {
-    /** Drives carefully, lands as it happens to, and burns a full tank only. */
-    WEAK(0.85f, 0.6f, 0.95f, 0.3f),
-    /** Drives well, and burns nitro once the tank is half full. */
-    MEDIUM(0.95f, 0.8f, 0.6f, 0.2f),
-    /** Lands on its wheels, and burns all that it finds. */
-    STRONG(1, 1, 0.15f, 0.1f);
-
-    private final float throttle;
-    private final float balance;
-    private final float thrift; // nitro that it keeps for the next stretch
-    private final float error; // radians by which it lands askew, and share of the throttle
-
-    Strength(float throttle, float balance, float thrift, float error) {
-      this.throttle = throttle;
-      this.balance = balance;
-      this.thrift = thrift;
-      this.error = error;
-    }
-  }
-
+public final class CarsBrain extends GradedBrain {
   private static final float LOOK_AHEAD = 0.45f; // s
   private static final float DEPTH = 9; // below a car, within which there is a road, m
   private static final int PATIENCE_TICKS = 70;
   private static final int BACK_TICKS = 45;
 
-  private Strength strength;
   private boolean burns;
   private float miss;
   private float ease; // share of the throttle that it leaves off
-  private int changeAt;
   private float markX;
   private int markTick;
 
   /** Creates a bot of a strength that its random numbers choose, for the service loader. */
-  public CarsBrain() {}
+  public CarsBrain() {
+    this(null);
+  }
 
-  /** Creates a bot of a strength. */
+  /** Creates a bot of a strength, null for one by chance. */
   public CarsBrain(Strength strength) {
-    this.strength = strength;
+    super("cars", strength);
   }
 
   @Override
-  public String game() {
-    return "cars";
-  }
-
-  @Override
-  public void decide(Senses s, Input out) {
-    if (s.view().level() == null || !s.view().knowsFields()) {
-      return;
-    }
-    if (strength == null) {
-      strength = Strength.values()[s.random().nextInt(Strength.values().length)];
-    }
-    if (s.tick() >= changeAt || changeAt - s.tick() > 100) {
-      changeAt = s.tick() + 20 + s.random().nextInt(60);
-      miss = s.random().between(-strength.error, strength.error);
-      ease = s.random().between(0, strength.error);
+  void play(Senses s, Strength strength, Input out) {
+    if (changesMind(s, 20)) {
+      float error = strength.of(0.3f, 0.2f, 0.1f); // rad it lands askew, share of the throttle
+      miss = s.random().between(-error, error);
+      ease = s.random().between(0, error);
     }
     Drawn own = s.own();
     float speed = (float) Math.hypot(own.velocityX(), own.velocityY());
     float slope = slope(s, own.x() + LOOK_AHEAD * Math.max(3, own.velocityX()), own.y());
     boolean flies = !s.isWall(0, -1.8f);
     float error = wrapped(slope + miss - own.angle());
-    float lean = strength.balance * (1.6f * error - 0.4f * own.angularVelocity());
+    float lean = strength.of(0.6f, 0.8f, 1) * (1.6f * error - 0.4f * own.angularVelocity());
     out.move(
-        isStuck(s) ? -1 : strength.throttle - ease, flies || Math.abs(error) > 0.5f ? lean : 0);
+        isStuck(s) ? -1 : strength.of(0.85f, 0.95f, 1) - ease,
+        flies || Math.abs(error) > 0.5f ? lean : 0);
     float tank = s.player().get(CarsFields.NITRO);
-    burns = burns ? tank > 0.02f : tank > strength.thrift;
+    burns = burns ? tank > 0.02f : tank > strength.of(0.95f, 0.6f, 0.15f);
     boolean straight = Math.abs(wrapped(own.angle())) < 0.7f && speed < CarsGame.BOOST_SPEED - 1;
     out.hold(Input.ACTION, burns && straight && !flies);
   }

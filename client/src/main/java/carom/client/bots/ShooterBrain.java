@@ -11,27 +11,7 @@ import java.util.List;
  * Plays {@code shooter}: jumps from foothold to foothold, fetches weapons, keeps a distance, aims
  * at where the enemy will be, and looks for a medkit, or room, once it is hurt.
  */
-public final class ShooterBrain implements BotBrain {
-  /** A skill: how exactly and how soon it shoots. */
-  public enum Strength {
-    /** Aims badly and at where the enemy is, slowly, and takes what it happens to touch. */
-    WEAK(0.3f, 40, 0.35f),
-    /** Aims fairly. */
-    MEDIUM(0.13f, 20, 0.65f),
-    /** Hardly misses. */
-    STRONG(0.03f, 5, 1);
-
-    private final float error; // radians
-    private final int reaction; // ticks from sight to shot
-    private final float zeal; // part of the time in which it shoots
-
-    Strength(float error, int reaction, float zeal) {
-      this.error = error;
-      this.reaction = reaction;
-      this.zeal = zeal;
-    }
-  }
-
+public final class ShooterBrain extends GradedBrain {
   private static final List<String> WEAPONS = List.of("shotgun", "rifle", "launcher");
   private static final float FEET = 0.7f; // below the middle, m
   private static final int HURT = 55;
@@ -47,7 +27,6 @@ public final class ShooterBrain implements BotBrain {
   private static final int PATIENCE_TICKS = 150;
   private static final int DETOUR_TICKS = 40;
 
-  private Strength strength;
   private Footholds footholds;
   private Level level;
   private int next = -1; // foothold that it jumps to
@@ -59,48 +38,38 @@ public final class ShooterBrain implements BotBrain {
   private float markY;
   private int markTick;
   private int side = 1;
-  private int changeAt;
   private int seenFor;
   private float miss;
   private boolean holdsFire;
 
   /** Creates a bot of a strength that its random numbers choose, for the service loader. */
-  public ShooterBrain() {}
+  public ShooterBrain() {
+    this(null);
+  }
 
-  /** Creates a bot of a strength. */
+  /** Creates a bot of a strength, null for one by chance. */
   public ShooterBrain(Strength strength) {
-    this.strength = strength;
+    super("shooter", strength);
   }
 
   @Override
-  public String game() {
-    return "shooter";
-  }
-
-  @Override
-  public void decide(Senses s, Input out) {
-    if (s.view().level() == null || !s.view().knowsFields()) {
-      return;
-    }
-    if (strength == null) {
-      strength = Strength.values()[s.random().nextInt(Strength.values().length)];
-    }
+  void play(Senses s, Strength strength, Input out) {
     if (level != s.view().level()) {
       level = s.view().level();
       footholds = new Footholds(s.view());
     }
-    if (s.tick() >= changeAt || changeAt - s.tick() > 200) {
-      changeAt = s.tick() + 25 + s.random().nextInt(60);
+    if (changesMind(s, 25)) {
+      float error = strength.of(0.3f, 0.13f, 0.03f); // rad
       side = s.random().nextInt(2) == 0 ? 1 : -1;
-      miss = s.random().between(-strength.error, strength.error);
-      holdsFire = s.random().nextFloat() > strength.zeal;
+      miss = s.random().between(-error, error);
+      holdsFire = s.random().nextFloat() > strength.of(0.35f, 0.65f, 1);
     }
     Drawn enemy = enemy(s);
     if (enemy != null) {
-      shoot(s, enemy, out);
+      shoot(s, strength, enemy, out);
     }
     if (footholds.count() > 0) {
-      go(s, goal(s, enemy), out);
+      go(s, goal(s, strength, enemy), out);
     }
     lastVelocityY = s.own().velocityY();
   }
@@ -118,7 +87,7 @@ public final class ShooterBrain implements BotBrain {
     return best;
   }
 
-  private void shoot(Senses s, Drawn enemy, Input out) {
+  private void shoot(Senses s, Strength strength, Drawn enemy, Input out) {
     Weapon weapon = s.player().get(ShooterFields.WEAPON);
     float late = RocketBrain.lateness(s.view(), enemy);
     float dx = enemy.x() - s.own().x();
@@ -141,11 +110,11 @@ public final class ShooterBrain implements BotBrain {
     boolean inReach = distance < 0.9f * weapon.speed * weapon.flight;
     boolean safe = !weapon.blasts() || distance > Weapon.BLAST_RADIUS;
     out.aim((float) Math.atan2(dy, dx) + miss);
-    out.hold(Input.ACTION, !holdsFire && seenFor > strength.reaction && inReach && safe);
+    out.hold(Input.ACTION, !holdsFire && seenFor > strength.of(40, 20, 5) && inReach && safe);
   }
 
   /** Returns the foothold to go to. */
-  private int goal(Senses s, Drawn enemy) {
+  private int goal(Senses s, Strength strength, Drawn enemy) {
     Drawn own = s.own();
     if (s.view().match().get(ShooterFields.SUDDEN)) {
       return footholds.highest(own.x() + 2 * side);

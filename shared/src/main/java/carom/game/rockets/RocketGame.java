@@ -1,59 +1,61 @@
 package carom.game.rockets;
 
-import static carom.sim.event.Audience.ALL;
-import static carom.sim.event.Audience.NOBODY;
-import static carom.sim.field.Scope.ENTITY;
+import static carom.game.rockets.RocketFields.AMMO;
+import static carom.game.rockets.RocketFields.HEALTH;
+import static carom.game.rockets.RocketFields.OUT;
+import static carom.game.rockets.RocketFields.REPAIRS;
+import static carom.game.rockets.RocketFields.SHIELDED;
+import static carom.game.rockets.RocketFields.SPENT;
+import static carom.game.rockets.RocketFields.WEAPON;
 
-import carom.physics.Material;
-import carom.physics.geometry.Circle;
-import carom.physics.math.Trig;
 import carom.sim.Game;
 import carom.sim.Match;
 import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
+import carom.sim.Rules;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Contact;
 import carom.sim.entity.Entity;
-import carom.sim.entity.EntityContactVisitor;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
-import carom.sim.event.EventKind;
-import carom.sim.event.Sound;
 import carom.sim.field.Cooldown;
-import carom.sim.field.Count;
-import carom.sim.field.Countdown;
 import carom.sim.field.Field;
-import carom.sim.field.Flag;
 import carom.sim.field.Gauge;
-import carom.sim.level.Appearance;
-import carom.sim.level.Archetype;
-import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import java.util.List;
-import java.util.function.Predicate;
+import java.util.Locale;
 
 /**
  * Players shoot rockets at each other, seen from above, and watch others while they are out. The
  * match begins when two or more are there and all are ready; before, they may practise. The first
  * with {@value #HITS_TO_WIN} hits wins, or the one that leads after {@value #MATCH_SECONDS} s.
  *
- * <p>{@link Input#ACTION} fires a rocket along the aim, {@link Input#SECOND} sets off all that fly.
- * A rocket goes off when it touches something or its fuel is used up; what is near is pushed away,
- * and players lose health.
+ * <p>{@link Input#ACTION} fires along the aim, {@link Input#SECOND} sets off all that flies, {@link
+ * #SHIELD} holds up a shield that empties and fills again. A shot goes off when it touches
+ * something or its fuel is used up; what is near is pushed away, players lose health, and rocks
+ * break. Rocks hold repair kits and other weapons.
  *
- * <p>{@code input} fires rockets and removes those that are spent, so a player sees both at once.
- * What the blast does to others is for {@code afterStep}, a moment before: both ask {@link
- * #isSpent}, which depends on nothing but the state between two ticks.
+ * <p>{@code input} moves, fires and shields, {@code rules} hand out what lies about, so a player
+ * sees all of it at once. Blasts, health and rocks are the server's.
  *
- * <p>A level needs spawns {@code player}.
+ * <p>A level needs spawns {@code player}, and may have spawns {@code rock}.
+ *
+ * <pre>
+ *   RocketGame       the order of a tick, and who wins
+ *     RocketFields   the state that is saved, hashed and sent
+ *     Sky            kinds of entities and events, the level's places
+ *     Weapon         what shots do
+ *     Shots          firing, flying, blasts
+ *     Rocks          rocks that break, and what is in them
+ * </pre>
  */
 public final class RocketGame implements Game {
-  /** Speed of a player, m/s. */
-  public static final float SPEED = 7;
+  /** Button that holds the shield up. */
+  public static final int SHIELD = 1 << 5;
 
-  /** Speed of a rocket, m/s. */
-  public static final float ROCKET_SPEED = 20;
+  /** Speed of a player, m/s. */
+  public static final float SPEED = 8;
 
   /** Number of players to hit in order to win a match. */
   public static final int HITS_TO_WIN = 10;
@@ -64,50 +66,34 @@ public final class RocketGame implements Game {
   /** Time from a hit until the player is back, long enough to look on. */
   public static final float RESPAWN_SECONDS = 4;
 
+  /** Time that a full shield is held up, seconds. */
+  public static final float SHIELD_SECONDS = 2;
+
+  /** Time in which an empty shield is full again, seconds. */
+  public static final float SHIELD_FILL_SECONDS = 6;
+
   private static final MatchClock CLOCK =
       MatchClock.playing(MATCH_SECONDS).warmUp(2).whenReady().countdown(3);
 
-  private static final float STEER = 12; // 1/s
-  private static final float FUEL_SECONDS = 2;
-  private static final float MUZZLE = 0.75f;
-  private static final float BLAST_RADIUS = 3;
-  private static final float BLAST_SPEED = 9;
-  private static final int DAMAGE = 45;
-
-  // Fields of a player. Input writes the first two, so that clients predict shots.
-  private static final Countdown RELOAD = Field.countdown("reload");
-  private static final Flag SETS_OFF = Field.flag("setsOff"); // wants its rockets to go off
-
-  /** Health that a player has left. */
-  public static final Count HEALTH = Field.count("health", 0, 100).to(ALL).startsAt(100);
-
-  private static final Countdown OUT = Field.countdown("out").to(NOBODY); // until it is back
-
-  // Of a rocket.
-  private static final Countdown FUEL = Field.countdown("fuel").of(ENTITY);
+  private static final float STEER = 6; // 1/s
+  private static final int REPAIR = 50;
 
   private final String name;
   private final float reloadSeconds;
-  private final EntityContactVisitor touch = this::touch;
-  private final Predicate<Entity> push = this::push;
-  private Archetype player;
-  private Archetype rocket;
-  private EventKind shot;
-  private EventKind boom;
-  private Entity touching;
-  private boolean touches;
-  private Entity blast;
+  private Sky sky;
+  private Shots shots;
+  private Rocks rocks;
 
   /** Creates the game, for the service loader. */
   public RocketGame() {
-    this("rockets", 0.5f);
+    this("rockets", Weapon.ROCKET.seconds);
   }
 
   /**
    * Creates a variant of the game.
    *
    * @param name of the variant
-   * @param reloadSeconds time from shot to shot
+   * @param reloadSeconds time from rocket to rocket
    */
   public RocketGame(String name, float reloadSeconds) {
     this.name = name;
@@ -126,149 +112,25 @@ public final class RocketGame implements Game {
 
   @Override
   public String description() {
-    return "shoot rockets at each other: Space fires, E sets off what flies";
+    return "shoot rockets at each other among rocks: the first with ten hits wins";
   }
 
   @Override
   public List<Cooldown> cooldowns() {
-    return List.of(new Cooldown("rocket", RELOAD, reloadSeconds));
+    return List.of(
+        new Cooldown("rocket", RocketFields.RELOAD, reloadSeconds),
+        new Cooldown("shield", SPENT, SHIELD_FILL_SECONDS));
   }
 
   @Override
   public List<Gauge> gauges() {
-    return List.of(Gauge.bar("health", HEALTH), Gauge.overHeads("health", HEALTH));
+    return List.of(
+        Gauge.bar("health", HEALTH), Gauge.number("ammo", AMMO), Gauge.overHeads("health", HEALTH));
   }
 
   @Override
   public List<Field<?>> fields() {
-    return List.of(RELOAD, SETS_OFF, HEALTH, OUT, FUEL);
-  }
-
-  @Override
-  public void setUp(SetUp s) {
-    player =
-        s.archetype(
-            new ArchetypeDef("player")
-                .shape(new Circle(0.5f), new Material(1, 0.3f, 0.2f))
-                .fixedRotation(true)
-                .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
-    rocket =
-        s.archetype(
-            new ArchetypeDef("rocket")
-                .shape(new Circle(0.16f), new Material(0.5f, 0, 0))
-                .fixedRotation(true)
-                .appearance(Appearance.of(0xffd166, Appearance.Look.BALL)));
-    shot = s.event("shot", 0xffd166, 0.6f, "", Sound.WHOOSH, 0);
-    boom = s.event("boom", 0xff9f1c, BLAST_RADIUS, "", Sound.KNOCK, 0);
-    if (s.level().spawns("player").isEmpty()) {
-      throw new IllegalArgumentException(
-          "level \"" + s.level().name() + "\" can't be played: it needs a spawn \"player\"");
-    }
-  }
-
-  @Override
-  public void join(Match m, Player p) {
-    List<Level.Spawn> spots = m.level().spawns("player");
-    Level.Spawn spot = spots.get(p.id() % spots.size());
-    p.set(HEALTH, HEALTH.max());
-    m.spawn(player, spot.x(), spot.y(), 0, p);
-  }
-
-  @Override
-  public void input(Simulation s, Player p, Input in) {
-    p.entity().seekVelocity(in.moveX() * SPEED, in.moveY() * SPEED, STEER);
-    for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-      Entity fired = p.spawned(i);
-      if (isSpent(p, fired, 0)) {
-        s.emit(boom).at(fired.x(), fired.y()).of(fired).by(p);
-        fired.despawn();
-      }
-    }
-    p.set(SETS_OFF, in.held(Input.SECOND));
-    boolean mayFire = p.get(RELOAD) == 0 && !p.isFull();
-    if (in.held(Input.ACTION) && mayFire) {
-      p.set(RELOAD, s.ticks(reloadSeconds));
-      fire(s, p, Trig.cos(in.aim()), Trig.sin(in.aim()));
-    }
-  }
-
-  private void fire(Simulation s, Player p, float wayX, float wayY) {
-    float x = p.entity().x() + MUZZLE * wayX;
-    float y = p.entity().y() + MUZZLE * wayY;
-    Entity fired = p.spawn(rocket, x, y, 0);
-    fired.setVelocity(ROCKET_SPEED * wayX, ROCKET_SPEED * wayY);
-    fired.set(FUEL, s.ticks(FUEL_SECONDS));
-    s.emit(shot).at(x, y).by(p);
-  }
-
-  /**
-   * Returns whether a rocket goes off in a tick's input.
-   *
-   * @param ticksUntil ticks until that tick's input: 0 in it, 1 in the tick before
-   */
-  private boolean isSpent(Player p, Entity fired, int ticksUntil) {
-    touches = false;
-    touching = fired;
-    fired.forEachContact(touch);
-    return touches || p.get(SETS_OFF) || fired.get(FUEL) <= ticksUntil;
-  }
-
-  private void touch(Entity other, float normalX, float normalY, float impulse) {
-    touches |= !other.isOfSameOwner(touching);
-  }
-
-  /** Rockets pass through their player and through each other. */
-  @Override
-  public boolean collision(Simulation s, Contact c) {
-    return !c.self().isOfSameOwner(c.other());
-  }
-
-  @Override
-  public void afterStep(Match m) {
-    for (Player p : m.players()) {
-      boolean isOut = !p.isAlive(); // then no input goes on with its rockets
-      for (int i = p.spawnedCount() - 1; i >= 0; i--) {
-        Entity fired = p.spawned(i);
-        if (isOut || isSpent(p, fired, 1)) {
-          goOff(m, p, fired);
-        }
-        if (isOut) {
-          fired.despawn();
-        }
-      }
-      if (!p.isAlive() && isOut && p.get(OUT) == 0) {
-        join(m, p);
-      }
-    }
-  }
-
-  /** Pushes what is near a rocket, and takes health from players. */
-  private void goOff(Match m, Player p, Entity fired) {
-    blast = fired;
-    float x = blast.x();
-    float y = blast.y();
-    m.forEachInBox(x - BLAST_RADIUS, y - BLAST_RADIUS, x + BLAST_RADIUS, y + BLAST_RADIUS, push);
-    for (Player other : m.players()) {
-      if (other == p || !other.isAlive() || force(other.entity()) == 0) {
-        continue;
-      }
-      other.add(HEALTH, -Math.round(DAMAGE * force(other.entity())));
-      if (other.get(HEALTH) == 0) {
-        score(m, p);
-        other.set(OUT, m.ticks(RESPAWN_SECONDS));
-        other.entity().despawn();
-      }
-    }
-  }
-
-  private static void score(Match m, Player p) {
-    if (MatchClock.phase(m) == MatchPhase.OVER) {
-      return;
-    }
-    m.addScore(p, 1);
-    if (m.score(p) >= HITS_TO_WIN) {
-      CLOCK.finish(m, p);
-    }
+    return RocketFields.all();
   }
 
   @Override
@@ -277,33 +139,150 @@ public final class RocketGame implements Game {
   }
 
   @Override
+  public void setUp(SetUp s) {
+    sky = new Sky(s);
+    rocks = new Rocks(sky);
+    shots = new Shots(sky, rocks, reloadSeconds);
+  }
+
+  @Override
+  public void begin(Match m) {
+    rocks.begin(m);
+  }
+
+  @Override
+  public void join(Match m, Player p) {
+    giveBody(m, p, sky.places.get(p.id() % sky.places.size()));
+  }
+
+  private void giveBody(Match m, Player p, Level.Spawn spot) {
+    p.set(HEALTH, HEALTH.max());
+    p.set(WEAPON, Weapon.ROCKET);
+    p.set(AMMO, 0);
+    p.set(SPENT, 0);
+    m.spawn(sky.player, spot.x(), spot.y(), 0, p);
+  }
+
+  @Override
+  public void beforeStep(Match m) {
+    rocks.beforeStep(m);
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    p.entity().seekVelocity(in.moveX() * SPEED, in.moveY() * SPEED, STEER);
+    shield(s, p, in.held(SHIELD));
+    shots.input(s, p, in);
+  }
+
+  /** Holds the shield up while there is some of it; what is below half must fill first. */
+  private static void shield(Simulation s, Player p, boolean wants) {
+    int full = s.ticks(SHIELD_FILL_SECONDS);
+    int empties = Math.round(SHIELD_FILL_SECONDS / SHIELD_SECONDS) + 1; // it fills by 1 meanwhile
+    boolean isUp = wants && p.get(SPENT) < (p.get(SHIELDED) ? full - empties : full / 2);
+    if (isUp) {
+      p.set(SPENT, p.get(SPENT) + empties);
+    }
+    p.set(SHIELDED, isUp);
+  }
+
+  @Override
+  public void rules(Rules r) {
+    rocks.take(r);
+  }
+
+  @Override
+  public void forces(Simulation s, Entity e) {
+    shots.forces(e);
+  }
+
+  /** Shots pass through their player and through each other. */
+  @Override
+  public boolean collision(Simulation s, Contact c) {
+    return !c.self().isOfSameOwner(c.other());
+  }
+
+  @Override
+  public void afterStep(Match m) {
+    for (Player p : m.players()) {
+      boolean wasOut = !p.isAlive();
+      shots.afterStep(m, p);
+      if (wasOut && p.get(OUT) == 0) {
+        giveBody(m, p, furthestPlace(m, p));
+      }
+    }
+    for (Player p : m.players()) {
+      if (p.get(REPAIRS)) {
+        p.add(HEALTH, REPAIR);
+        p.set(REPAIRS, false);
+      }
+      if (p.isAlive() && p.get(HEALTH) == 0) {
+        wreck(m, p);
+      }
+    }
+    rocks.afterStep(m);
+  }
+
+  /** Returns the place that is furthest from the others; the player's own one for the first. */
+  private Level.Spawn furthestPlace(Match m, Player p) {
+    Level.Spawn best = null;
+    float most = -1;
+    for (int i = 0; i < sky.places.size(); i++) {
+      Level.Spawn spot = sky.places.get((p.id() + i) % sky.places.size());
+      float nearest = Float.MAX_VALUE;
+      for (Player other : m.players()) {
+        if (other.isAlive()) {
+          float dx = other.entity().x() - spot.x();
+          float dy = other.entity().y() - spot.y();
+          nearest = Math.min(nearest, dx * dx + dy * dy);
+        }
+      }
+      if (nearest > most) {
+        most = nearest;
+        best = spot;
+      }
+    }
+    return best;
+  }
+
+  private void wreck(Match m, Player p) {
+    Entity body = p.entity();
+    Player by = p.get(RocketFields.WRECKED_BY);
+    m.emit(sky.wreck).at(body.x(), body.y()).of(body).by(p);
+    body.despawn();
+    p.set(OUT, m.ticks(RESPAWN_SECONDS));
+    if (by == null || MatchClock.phase(m) == MatchPhase.OVER) {
+      return;
+    }
+    m.addScore(by, 1);
+    String weapon = p.get(RocketFields.WRECKED_WITH).name().toLowerCase(Locale.ROOT);
+    m.notice(m.name(by) + " hit " + m.name(p) + ": " + weapon);
+    if (m.score(by) >= HITS_TO_WIN && MatchClock.isPlaying(m)) {
+      CLOCK.finish(m, by);
+      m.notice(m.name(by) + " wins: the first with " + HITS_TO_WIN + " hits");
+    }
+  }
+
+  @Override
   public void phase(Match m, MatchPhase now) {
-    if (now == MatchPhase.OVER) {
-      CLOCK.decide(m, m.leader(), 0);
-    } else if (now == MatchPhase.PLAYING) {
+    if (now == MatchPhase.PLAYING) {
       for (Player p : m.players()) { // what was practised is forgotten
         m.score(p, 0);
         p.set(HEALTH, HEALTH.max());
       }
+    } else if (now == MatchPhase.OVER) {
+      if (MatchClock.winner(m) < 0) {
+        Player best = m.leader();
+        CLOCK.decide(m, best, 0);
+        m.notice(
+            best == null
+                ? "A draw: nobody leads after " + Math.round(MATCH_SECONDS / 60) + " minutes"
+                : m.name(best) + " wins: the most hits, " + m.score(best));
+      }
+      Player winner = m.player(MatchClock.winner(m));
+      if (winner != null) {
+        winner.add(RocketFields.WINS, 1);
+      }
     }
-  }
-
-  /** Returns how much of a blast an entity gets, 0..1. */
-  private float force(Entity e) {
-    float dx = e.centerX() - blast.x();
-    float dy = e.centerY() - blast.y();
-    return Math.max(0, 1 - (float) Math.sqrt(dx * dx + dy * dy) / BLAST_RADIUS);
-  }
-
-  private boolean push(Entity e) {
-    float force = force(e);
-    if (e.isDynamic() && force > 0 && e.archetype() != rocket) {
-      float dx = e.centerX() - blast.x();
-      float dy = e.centerY() - blast.y();
-      float scale =
-          BLAST_SPEED * force * e.mass() / Math.max(0.1f, (float) Math.sqrt(dx * dx + dy * dy));
-      e.applyImpulse(scale * dx, scale * dy);
-    }
-    return true;
   }
 }

@@ -3,7 +3,6 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.game.rockets.RocketGame;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.sim.SimulationHost;
@@ -88,18 +87,9 @@ final class BotPlayTest {
   }
 
   @Test
-  void skilledRocketBotsBeatTheOthers() {
-    Played[] both = play("rockets", 4, 60, Bot::skilled, Bot::new);
-    assertTrue(both[0].points > 2 * both[1].points, List.of(both).toString());
-    assertTrue(both[0].points > 5, List.of(both).toString());
-  }
-
-  @Test
   void aShotLeadsSoThatTheRocketMeetsItsTarget() {
-    assertEquals(RocketGame.ROCKET_SPEED, RocketBrain.ROCKET_SPEED);
-    float t = RocketBrain.flightSeconds(8, 3, -2, 6);
-    assertEquals(
-        RocketBrain.ROCKET_SPEED * t, Math.hypot(8 - 2 * t, 3 + 6 * t), 1e-3, "seconds=" + t);
+    float t = RocketBrain.flightSeconds(8, 3, -2, 6, 20);
+    assertEquals(20 * t, Math.hypot(8 - 2 * t, 3 + 6 * t), 1e-3, "seconds=" + t);
     assertTrue(t > 0.3 && t < 0.6, "seconds=" + t);
   }
 }

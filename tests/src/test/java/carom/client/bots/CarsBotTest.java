@@ -3,7 +3,6 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.bots.CarsBrain.Strength;
 import carom.game.cars.CarsFields;
 import carom.game.cars.CarsGame;
 import carom.net.transport.Impairment;

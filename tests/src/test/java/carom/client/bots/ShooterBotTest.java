@@ -2,7 +2,6 @@ package carom.client.bots;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.bots.ShooterBrain.Strength;
 import carom.game.shooter.ShooterFields;
 import carom.game.shooter.ShooterGame;
 import carom.game.shooter.Weapon;

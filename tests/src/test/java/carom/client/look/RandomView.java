@@ -1,6 +1,6 @@
 package carom.client.look;
 
-import carom.game.rockets.RocketGame;
+import carom.game.rockets.RocketFields;
 import java.util.List;
 import java.util.SplittableRandom;
 
@@ -76,9 +76,9 @@ public final class RandomView implements GameView {
   private HudItem line() {
     HudItem line =
         switch (random.nextInt(3)) {
-          case 0 -> HudItem.bar("goals", RocketGame.HEALTH);
-          case 1 -> HudItem.icons(picture(), RocketGame.HEALTH);
-          default -> HudItem.time("wait", RocketGame.HEALTH).whileSet(RocketGame.HEALTH);
+          case 0 -> HudItem.bar("goals", RocketFields.HEALTH);
+          case 1 -> HudItem.icons(picture(), RocketFields.HEALTH);
+          default -> HudItem.time("wait", RocketFields.HEALTH).whileSet(RocketFields.HEALTH);
         };
     return line.at(one(List.of(HudItem.Place.values()))).colour(random.nextInt());
   }
@@ -92,7 +92,7 @@ public final class RandomView implements GameView {
         .turn(one(List.of(Sprite.Turn.values())));
     s.perSecond(in(-99, 99)).perMetre(in(-99, 99)).tint(random.nextInt());
     if (random.nextInt(3) == 0) {
-      s.by(RocketGame.HEALTH);
+      s.by(RocketFields.HEALTH);
     }
     if (random.nextBoolean()) {
       s.flips();

@@ -40,6 +40,7 @@ final class LevelCommandTest {
             "arena",
             "platformer",
             "rockets",
+            "orbit",
             "commons",
             "lagoon",
             "sluice",

@@ -382,6 +382,7 @@ class LevelTest {
             "quarry",
             "commons",
             "lagoon",
+            "orbit",
             "platformer",
             "rockets",
             "shooter",

@@ -66,7 +66,7 @@ final class ShownLookTest {
   @Test
   void shippedGamesAreFoundByTheirNames() {
     look.show("rockets");
-    assertEquals(5, look.setup().actions().size());
+    assertEquals(6, look.setup().actions().size());
     look.show("platformer");
     assertEquals(0, look.setup().actions().size());
   }
@@ -74,10 +74,17 @@ final class ShownLookTest {
   @Test
   void namesThatNothingHasAreFound() {
     look.show("rockets");
-    List<String> things = List.of("player", "rocket", "wall", "side wall", "pillar", "crate");
-    assertEquals(0, look.check(things, List.of("shot", "boom", "other")));
-    assertEquals(
-        2, look.check(List.of("plyer", "rocket", "wall", "side wall"), List.of("shot", "boom")));
-    assertEquals(1, look.check(things, List.of("boom")));
+    List<String> things =
+        new ArrayList<>(List.of("player", "rocket", "wall", "side wall", "pillar"));
+    things.addAll(List.of("crate", "planet", "rock.large", "rock.medium", "rock.small"));
+    things.addAll(List.of("bolt", "torpedo", "mine", "repair", "scatter", "torpedoes", "mines"));
+    List<String> events = List.of("shot", "boom", "spark", "blocked", "crack", "taken", "wreck");
+    assertEquals(0, look.check(things, events));
+    things.remove("crate");
+    things.set(0, "plyer");
+    assertEquals(2, look.check(things, events));
+    things.set(0, "player");
+    things.add("crate");
+    assertEquals(1, look.check(things, events.subList(1, events.size())));
   }
 }
