@@ -12,7 +12,7 @@ import java.util.List;
  * ball only along ways that are free, and from where it can stand, so that a ball in a corner is
  * brought out along the wall.
  */
-final class ArenaBrain implements BotBrain {
+final class ArenaBrain extends GradedBrain {
   /** Most bots of a side that go for the same ball. */
   private static final int CHASERS = 2;
 
@@ -40,18 +40,22 @@ final class ArenaBrain implements BotBrain {
   private static final float DASH_RANGE = 3;
 
   private final Steering steering = new Steering();
+  private boolean dawdles;
   private boolean jolted;
   private boolean dashed;
   private float pushX;
   private float pushY;
 
-  @Override
-  public String game() {
-    return "arena";
+  /** Creates a bot of a strength, null for one by chance. */
+  ArenaBrain(Strength strength) {
+    super("arena", strength);
   }
 
   @Override
-  public void decide(Senses s, Input out) {
+  void play(Senses s, Strength strength, Input out) {
+    if (changesMind(s, 30)) {
+      dawdles = s.random().nextFloat() < strength.of(0.5f, 0.2f, 0);
+    }
     Level.Zone theirs = goal(s, false);
     Level.Zone ours = goal(s, true);
     Drawn ball = ballToChase(s);
@@ -62,6 +66,12 @@ final class ArenaBrain implements BotBrain {
     } else {
       hunt(s, out);
     }
+    if (dawdles || strength == Strength.WEAK) { // the weak neither dash nor jolt
+      out.hold(Input.SECOND, false);
+      out.hold(Input.ACTION, false);
+    }
+    float pace = dawdles ? 0.4f : strength.of(0.8f, 0.9f, 1);
+    out.move(pace * out.moveX(), pace * out.moveY());
     jolted = out.held(Input.SECOND);
     dashed = out.held(Input.ACTION);
   }

@@ -17,8 +17,8 @@ import java.util.Set;
  * it runs, jumps and collects coins. It decides several times a second, each bot at its own ticks,
  * and holds the same keys in between. In games that aren't Carom's own it also tries all keys.
  *
- * <p>A {@linkplain #skilled skilled} bot plays the arena better. Tests and figures keep to the
- * others, so that what they measure stays comparable.
+ * <p>A {@linkplain #skilled skilled} bot plays arena and platformer better. Tests and figures keep
+ * to the others, so that what they measure stays comparable.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
@@ -120,6 +120,9 @@ public final class Bot implements InputSource {
       brainGame = view.game();
       brain = BotBrains.create(brainGame);
       skill = skilled ? BotBrains.shipped(brainGame) : null;
+      if (brain == null && skill instanceof PlatformerBrain) { // a jump is a matter of ticks
+        brain = skill;
+      }
     }
     if (brain != null) {
       if (senses.look(view, tick)) {

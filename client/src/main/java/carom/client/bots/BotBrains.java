@@ -47,7 +47,11 @@ public final class BotBrains {
 
   /** Returns a new instance of Carom's own brain for one of its games, or null. */
   static BotBrain shipped(String game) {
-    return game.equals("arena") ? new ArenaBrain() : null;
+    return switch (game) {
+      case "arena" -> new ArenaBrain(null);
+      case "platformer" -> new PlatformerBrain(null);
+      default -> null;
+    };
   }
 
   private static Optional<Supplier<BotBrain>> find(String game) {

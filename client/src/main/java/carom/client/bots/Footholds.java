@@ -5,17 +5,17 @@ import carom.sim.level.Level;
 import java.util.Arrays;
 
 /**
- * The places of a level where a player who jumps twice can stand, a metre apart, and the shortest
- * ways between them. Made of the level's static geometry when a match begins; one bot's.
+ * The places of a level where a player can stand, a metre apart, and the shortest ways between
+ * them. Made of the level's static geometry when a match begins; one bot's.
  */
 final class Footholds {
   private static final int MOST = 400;
   private static final float HALF_HEIGHT = 0.7f; // of a player
-  private static final float RISE = 4.3f; // of two jumps, with a margin
-  private static final float REACH = 7; // of two jumps to the same height
   private static final float UNREACHED = 1e6f;
 
   private final ClientView view;
+  private final float rise;
+  private final float reach;
   private float[] x = new float[MOST];
   private float[] y = new float[MOST];
   private int count;
@@ -24,9 +24,11 @@ final class Footholds {
   private final boolean[] done;
   private int goal = -1;
 
-  /** Looks for footholds in the level that is shown. */
-  Footholds(ClientView view) {
+  /** Looks for footholds in the level that is shown, see {@link Hopper}. */
+  Footholds(ClientView view, float rise, float reach) {
     this.view = view;
+    this.rise = rise;
+    this.reach = reach;
     Level.Bounds b = view.level().bounds();
     for (float column = b.minX() + 0.5f; column < b.maxX(); column += 1) {
       boolean above = true; // the stretch above is free
@@ -70,14 +72,14 @@ final class Footholds {
   /** Returns what a way costs without a stop, in metres, or {@link #UNREACHED}. */
   private float cost(int from, int to) {
     float dx = Math.abs(x[to] - x[from]);
-    float rise = y[to] - y[from];
-    if (dx < 1.1f && Math.abs(rise) < 0.7f) {
+    float up = y[to] - y[from];
+    if (dx < 1.1f && Math.abs(up) < 0.7f) {
       return dx;
     }
-    if (rise > RISE || dx > REACH - 0.8f * Math.max(0, rise) || isBlocked(from, to)) {
+    if (up > rise || dx > reach - 0.8f * Math.max(0, up) || isBlocked(from, to)) {
       return UNREACHED;
     }
-    return 2 + dx + Math.abs(rise);
+    return 2 + dx + Math.abs(up);
   }
 
   /** Returns whether something solid is in the way of a jump: up, over, and down. */

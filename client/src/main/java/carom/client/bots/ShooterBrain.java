@@ -22,21 +22,8 @@ public final class ShooterBrain extends GradedBrain {
   /** Gravity of a rocket, m/s^2: a share of the level's. */
   private static final float ROCKET_GRAVITY = 0.35f;
 
-  private static final float ON_CRATES = 6;
-  private static final int JUMP_TICKS = 10;
-  private static final int PATIENCE_TICKS = 150;
-  private static final int DETOUR_TICKS = 40;
-
+  private final Hopper hopper = new Hopper(4.3f, 7, true);
   private Footholds footholds;
-  private Level level;
-  private int next = -1; // foothold that it jumps to
-  private float lastVelocityY;
-  private int steady;
-  private int jumpedAt;
-  private boolean jumps;
-  private float markX;
-  private float markY;
-  private int markTick;
   private int side = 1;
   private int seenFor;
   private float miss;
@@ -54,10 +41,7 @@ public final class ShooterBrain extends GradedBrain {
 
   @Override
   void play(Senses s, Strength strength, Input out) {
-    if (level != s.view().level()) {
-      level = s.view().level();
-      footholds = new Footholds(s.view());
-    }
+    footholds = hopper.footholds(s);
     if (changesMind(s, 25)) {
       float error = strength.of(0.3f, 0.13f, 0.03f); // rad
       side = s.random().nextInt(2) == 0 ? 1 : -1;
@@ -69,9 +53,8 @@ public final class ShooterBrain extends GradedBrain {
       shoot(s, strength, enemy, out);
     }
     if (footholds.count() > 0) {
-      go(s, goal(s, strength, enemy), out);
+      hopper.go(s, goal(s, strength, enemy), side, out);
     }
-    lastVelocityY = s.own().velocityY();
   }
 
   /** Returns the nearest enemy, or null. */
@@ -103,7 +86,7 @@ public final class ShooterBrain extends GradedBrain {
     }
     if (weapon.blasts()) {
       float flight = distance / weapon.speed;
-      dy -= ROCKET_GRAVITY * level.gravityY() * flight * flight / 2;
+      dy -= ROCKET_GRAVITY * s.view().level().gravityY() * flight * flight / 2;
     }
     boolean inSight = !s.view().isSolid(s.own().x(), s.own().y(), dx, dy);
     seenFor = inSight ? seenFor + 1 : 0;
@@ -129,7 +112,7 @@ public final class ShooterBrain extends GradedBrain {
         return footholds.nearest(wanted.x(), wanted.y() - 0.4f);
       }
       if (isHurt && enemy != null && s.distance(enemy) < RETREAT) {
-        return furthest(enemy);
+        return furthest(s, enemy);
       }
     }
     if (enemy == null) {
@@ -151,10 +134,10 @@ public final class ShooterBrain extends GradedBrain {
   }
 
   /** Returns the place to begin at that is furthest from an enemy. */
-  private int furthest(Drawn enemy) {
+  private int furthest(Senses s, Drawn enemy) {
     Level.Spawn best = null;
     double most = -1;
-    for (Level.Spawn spot : level.spawns("player")) {
+    for (Level.Spawn spot : s.view().level().spawns("player")) {
       double far = Math.hypot(spot.x() - enemy.x(), spot.y() - enemy.y());
       if (far > most) {
         most = far;
@@ -162,59 +145,5 @@ public final class ShooterBrain extends GradedBrain {
       }
     }
     return best == null ? 0 : footholds.nearest(best.x(), best.y() - FEET);
-  }
-
-  /** Walks or jumps on towards a foothold, and back to the nearest one out of the air. */
-  private void go(Senses s, int goal, Input out) {
-    Drawn own = s.own();
-    float feet = own.y() - FEET;
-    int here = footholds.nearest(own.x(), feet);
-    steady = Math.abs(own.velocityY() - lastVelocityY) < 0.2f ? steady + 1 : 0;
-    boolean stands = steady > 2 && s.tick() - jumpedAt > JUMP_TICKS; // the picture may lag
-    float above = feet - footholds.y(here); // of ground, or on a crate that stands on it
-    boolean isThere =
-        Math.abs(footholds.x(here) - own.x()) < 0.9f && above > -0.5f && above < ON_CRATES;
-    if (stands && isThere) {
-      next = footholds.next(here, goal);
-    } else if (stands || next < 0 || next >= footholds.count() || isLost(feet)) {
-      next = here; // on a moving stage, or thrown off
-    }
-    float dx = footholds.x(next) - own.x();
-    float rise = footholds.y(next) - feet;
-    out.move(Math.abs(dx) < 0.2f ? 0 : Math.max(-1, Math.min(1, 1.5f * dx)), 0);
-    boolean walks = isThere && Math.abs(dx) < 1.8f && Math.abs(rise) < 0.7f;
-    if (isStuck(s)) {
-      out.move(side, 0);
-      walks = false;
-    }
-    boolean below = rise < -0.7f && Math.abs(dx) < 1.6f;
-    boolean falls = own.velocityY() < 1 && rise > (Math.abs(dx) > 1.5f ? -1 : 0.2f); // short
-    boolean jump = stands ? !walks && !below : falls;
-    int since = Math.abs(s.tick() - jumpedAt);
-    if (jump && since > JUMP_TICKS && !jumps) { // a jump is a press, and the second another
-      jumpedAt = s.tick();
-      since = 0;
-    }
-    jumps = since < JUMP_TICKS || (jumps && own.velocityY() > 0 && rise > -0.3f);
-    out.hold(Input.JUMP, jumps);
-    out.hold(Input.DOWN, below && stands);
-  }
-
-  /** Returns whether it has hardly moved for a while, so that it should jump away for a moment. */
-  private boolean isStuck(Senses s) {
-    int since = s.tick() - markTick;
-    boolean moved = Math.hypot(s.own().x() - markX, s.own().y() - markY) > 2;
-    if (moved || since < 0 || since > PATIENCE_TICKS + DETOUR_TICKS) {
-      markX = s.own().x();
-      markY = s.own().y();
-      markTick = s.tick();
-      return false;
-    }
-    return since > PATIENCE_TICKS;
-  }
-
-  /** Returns whether it falls below where it wanted to go. */
-  private boolean isLost(float feet) {
-    return feet < footholds.y(next) - 5;
   }
 }

@@ -21,6 +21,9 @@ final class Sky {
   /** Names of pick-ups: a repair kit, and each weapon but the first. */
   static final String[] PICKUPS = {"repair", "scatter", "torpedoes", "mines"};
 
+  /** Tag of ships and shots: a planet pulls them, and leaves the rocks where they are. */
+  private static final int PULLED = 1;
+
   private static final Material HULL = new Material(1, 0.3f, 0.2f);
   private static final Material SHELL = new Material(0.5f, 0, 0);
   private static final Material STONE = new Material(2, 0.4f, 0.6f);
@@ -63,6 +66,7 @@ final class Sky {
             new ArchetypeDef("player")
                 .shape(new Circle(0.5f), HULL)
                 .fixedRotation(true)
+                .tag(PULLED)
                 .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
     shots =
         new Archetype[] {
@@ -114,6 +118,7 @@ final class Sky {
     return new ArchetypeDef(name)
         .shape(new Circle(radius), SHELL)
         .fixedRotation(true)
+        .tag(PULLED)
         .appearance(Appearance.of(rgb, Appearance.Look.BALL));
   }
 

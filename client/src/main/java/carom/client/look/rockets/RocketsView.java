@@ -195,7 +195,7 @@ public final class RocketsView implements GameView {
         HudItem.bar("hull", RocketFields.HEALTH),
         HudItem.number("shots", RocketFields.AMMO).whileSet(RocketFields.AMMO),
         HudItem.time("back in", RocketFields.OUT).whileSet(RocketFields.OUT).at(HudItem.Place.TOP));
-    v.camera().lead(0.25f);
+    v.camera().height(22).lead(0.25f);
     v.minimap(HudItem.Place.BOTTOM_RIGHT);
   }
 }

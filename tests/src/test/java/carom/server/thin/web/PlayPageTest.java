@@ -33,7 +33,7 @@ final class PlayPageTest {
   private static final List<String> GAMES = List.of("arena", "platformer", "rockets", "shooter");
 
   /** Games with a view, which the page has as data. */
-  private static final List<String> LOOKS = List.of("rockets", "shooter");
+  private static final List<String> LOOKS = List.of("arena", "rockets", "shooter");
 
   @TempDir private Path folder;
   private Path program;
