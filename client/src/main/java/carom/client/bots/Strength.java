@@ -1,12 +1,12 @@
 package carom.client.bots;
 
-/** How well a bot plays. */
+/** Skill of a bot. */
 public enum Strength {
-  /** For beginners. */
+  /** Opponent for beginners. */
   WEAK,
-  /** For most. */
+  /** Opponent for most. */
   MEDIUM,
-  /** Hard to beat. */
+  /** Opponent that is hard to beat. */
   STRONG;
 
   /** Returns the value that belongs to this strength. */

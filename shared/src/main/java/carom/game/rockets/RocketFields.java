@@ -26,7 +26,7 @@ public final class RocketFields {
   /** Shots left; 0 of what is endless. */
   public static final Count AMMO = Field.count("ammo", 0, 99);
 
-  /** Whether a player holds the shield up. */
+  /** Flag of a player who holds the shield up. */
   public static final Flag SHIELDED = Field.flag("shielded");
 
   /** Ticks until the shield is full again; while it is held up, it empties. */

@@ -126,7 +126,7 @@ final class Shots {
     return touches || p.get(SETS_OFF) || fired.get(FUEL) <= ticksUntil;
   }
 
-  /** A mine may lie at a wall. */
+  /** Notes what a shot touches; a mine may lie at a wall. */
   private void touch(Entity other, float normalX, float normalY, float impulse) {
     boolean ignores = flying.get(FIRED_BY) == Weapon.MINES && !other.isDynamic();
     touches |= !ignores && !other.isOfSameOwner(flying);

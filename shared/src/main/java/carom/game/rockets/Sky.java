@@ -32,7 +32,7 @@ final class Sky {
 
   final Archetype player;
 
-  /** What each weapon fires. */
+  /** Shots, one for each weapon. */
   final Archetype[] shots;
 
   /** Rocks, the largest first; each breaks into some of the next. */
