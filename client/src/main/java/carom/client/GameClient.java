@@ -18,6 +18,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RoomName;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.LevelEntry;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
@@ -33,6 +34,7 @@ import carom.sim.message.PlayerRole;
 import carom.sim.outbox.Event;
 import carom.text.FileErrors;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.LongSupplier;
@@ -76,6 +78,10 @@ public final class GameClient implements AutoCloseable {
   private final Connection connection;
   private final MessageExchange messages;
   private final RoomListing rooms = new RoomListing();
+  /** Most levels of players that are kept of a server's list. */
+  private static final int MAX_LEVELS = 1_024;
+
+  private final List<LevelEntry> levels = new ArrayList<>();
   private final InterestReporter interest = new InterestReporter();
   private final WatchedPlayer watched = new WatchedPlayer();
   private final RepeatedEventFilter repeats = new RepeatedEventFilter();
@@ -242,6 +248,17 @@ public final class GameClient implements AutoCloseable {
     @Override
     public void best(ServerMessage.BestLists lists) {
       view.best(lists.lists());
+    }
+
+    @Override
+    public void levels(ServerMessage.LevelList part) {
+      if (levels.size() < MAX_LEVELS) {
+        levels.addAll(part.levels());
+      }
+      if (part.left() == 0) {
+        view.levels(new ServerMessage.LevelList(0, part.mayChoose(), levels));
+        levels.clear();
+      }
     }
 
     @Override
@@ -452,6 +469,24 @@ public final class GameClient implements AutoCloseable {
    */
   public void listBest() {
     connection.send(new ClientMessage.ListBest());
+  }
+
+  /**
+   * Asks the server for the levels of players; {@link ClientView#levels} then lists them. Does
+   * nothing while nothing is played.
+   */
+  public void listLevels() {
+    connection.send(new ClientMessage.ListLevels());
+  }
+
+  /**
+   * Says which level of a player the room is to play, if its players may choose. A {@linkplain
+   * ClientView#notices notice} says what comes of it. Does nothing while nothing is played.
+   *
+   * @param level name of the level; empty for none
+   */
+  public void chooseLevel(String level) {
+    connection.send(new ClientMessage.ChooseLevel(level));
   }
 
   /**

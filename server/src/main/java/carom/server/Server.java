@@ -32,6 +32,7 @@ import carom.server.threads.Duty;
 import carom.server.threads.DutyPool;
 import carom.server.threads.LoaderThread;
 import carom.server.threads.Watchdog;
+import carom.server.upload.Uploads;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -374,6 +375,20 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
    */
   public void accounts(AccountService service) {
     directory.accounts(service);
+  }
+
+  /**
+   * Sets what keeps levels of players; before the first turn.
+   *
+   * @param levels the server's from now on
+   */
+  public void uploads(Uploads levels) {
+    directory.uploads(levels);
+  }
+
+  /** Returns what keeps levels of players, or null if the server takes none. */
+  public Uploads uploads() {
+    return directory.uploads();
   }
 
   /** Returns what keeps accounts, or null if nothing does. */
@@ -869,6 +884,9 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
     }
     disk.close();
     rooms.forEach(Room::letAccountsGo);
+    if (directory.uploads() != null) {
+      directory.uploads().close();
+    }
     if (directory.accounts() != null) {
       directory.accounts().close();
     }

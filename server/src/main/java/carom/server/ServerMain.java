@@ -21,6 +21,7 @@ import carom.server.command.ReloadCommand;
 import carom.server.command.RoomChangeCommands;
 import carom.server.command.RoomCommands;
 import carom.server.command.ServerCommands;
+import carom.server.command.UploadCommands;
 import carom.server.config.BadSettingException;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
@@ -415,7 +416,8 @@ public final class ServerMain implements Callable<Integer> {
 
   private CommandRegistry commands(Server server) {
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, server.rooms(), flags.dataFolder());
+    RoomCommands.add(commands, server.rooms(), flags.dataFolder(), server.uploads());
+    UploadCommands.add(commands, server.uploads());
     AccessCommands.add(commands, access, server.rooms());
     AccountCommands.add(commands, server.accounts(), server.rooms());
     server.chatCommands(new AdminChat(commands, access, server.rooms()));
@@ -434,7 +436,8 @@ public final class ServerMain implements Callable<Integer> {
     if (fleet != null) {
       FleetConsole.add(commands, fleet.member());
     }
-    RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder());
+    RoomChangeCommands.add(
+        commands, server, server.rooms(), flags.dataFolder(), server.uploads());
     return commands;
   }
 

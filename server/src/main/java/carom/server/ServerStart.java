@@ -37,6 +37,7 @@ import carom.server.thin.plain.PlainDoor;
 import carom.server.thin.plain.PlainFlags;
 import carom.server.thin.web.PlayFlags;
 import carom.server.thin.web.PlayPort;
+import carom.server.upload.Uploads;
 import carom.text.FileErrors;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.io.IOException;
@@ -45,6 +46,7 @@ import java.net.InetAddress;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -318,16 +320,34 @@ final class ServerStart {
     }
   }
 
+  /** Returns what keeps levels of players, or null if the server takes none. */
+  private Uploads uploads() {
+    try {
+      return config.get(ServerConfig.UPLOADS)
+          ? new Uploads(flags.dataFolder().uploads(), InstantSource.system(), System::nanoTime)
+          : null;
+    } catch (IOException e) {
+      throw flags.bad(e.getMessage());
+    }
+  }
+
   private Server openRooms(List<RoomConfig> rooms, ServerTransport transport) {
     try {
-      MatchLibrary library = MatchLibrary.heard(choice.library(), steps::incrementAndGet);
-      return new Server(
+      Uploads uploads = uploads();
+      MatchLibrary known = choice.library();
+      MatchLibrary library =
+          MatchLibrary.heard(
+              uploads == null ? known : uploads.library(known), steps::incrementAndGet);
+      Server opened =
+          new Server(
           config,
           rooms,
           library,
           transport,
           System::nanoTime,
           fleet == null ? room -> Ownership.alone() : fleet.member()::ownershipOf);
+      opened.uploads(uploads);
+      return opened;
     } catch (IllegalArgumentException e) {
       transport.close();
       throw flags.bad("--level: " + e.getMessage());

@@ -46,6 +46,11 @@ public final class GameJars {
     take(state());
   }
 
+  /** Returns the folder, or null if none was opened. */
+  public static synchronized Path folder() {
+    return folder;
+  }
+
   /** Returns what loads the games, and levels that come with them. */
   public static ClassLoader loader() {
     return loader;

@@ -59,6 +59,9 @@ final class LevelRules {
 
   private record Rule(LevelTrigger trigger, Node when, List<Act> then, List<Act> otherwise) {}
 
+  /** Triggers spawn only while there are fewer entities than this beyond the level's own. */
+  static final int MAX_SPAWNED = 512;
+
   private final SimulationHost simulation;
   private final SimParts parts;
   private final RuleWords words;
@@ -457,7 +460,7 @@ final class LevelRules {
     switch (a.verb()) {
       case MOVE -> parts.moves.start(act.to, a.x(), a.y(), a.amount());
       case SPAWN -> {
-        if (parts.entities.count() < SimulationHost.MAX_ENTITIES) {
+        if (parts.entities.count() < simulation.level().bodies().size() + MAX_SPAWNED) {
           simulation.spawn(act.archetype, a.x(), a.y(), 0, null);
         }
       }

@@ -35,6 +35,15 @@ public final class Texts {
     return clean == null ? text : clean.toString();
   }
 
+  /** Returns as much of a text's beginning as fits into some bytes of UTF-8. */
+  public static String cut(String text, int maxBytes) {
+    String shown = text;
+    while (shown.getBytes(StandardCharsets.UTF_8).length > maxBytes) {
+      shown = shown.substring(0, shown.offsetByCodePoints(shown.length(), -1));
+    }
+    return shown;
+  }
+
   /** Returns the text that bytes stand for, or null if they are no UTF-8. */
   public static String ofUtf8(ByteBuffer bytes) {
     try {

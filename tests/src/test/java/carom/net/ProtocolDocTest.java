@@ -114,6 +114,14 @@ class ProtocolDocTest {
     Map<String, byte[]> golden = new TreeMap<>();
     golden.put("list-rooms", ClientMessageCodec.encode(new ClientMessage.ListRooms(9)));
     golden.put("list-best", ClientMessageCodec.encode(new ClientMessage.ListBest()));
+    golden.put(
+        "offer-level",
+        ClientMessageCodec.encode(new ClientMessage.OfferLevel(9, 6421, 1800, "Zoë", "t")));
+    golden.put(
+        "level-piece",
+        ClientMessageCodec.encode(new ClientMessage.LevelPiece(1000, new byte[] {0x7b, 0x7d})));
+    golden.put("list-levels", ClientMessageCodec.encode(new ClientMessage.ListLevels()));
+    golden.put("choose-level", ClientMessageCodec.encode(new ClientMessage.ChooseLevel("Hill")));
     golden.put("change-room", ClientMessageCodec.encode(new ClientMessage.ChangeRoom("cup")));
     golden.put(
         "hello",
@@ -241,6 +249,17 @@ class ProtocolDocTest {
                 List.of(
                     new ServerMessage.RoomEntry(
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
+    golden.put(
+        "level-answer",
+        codec.encode(
+            new ServerMessage.LevelAnswer(1800, ServerMessage.LevelOutcome.TAKEN, "ok")));
+    golden.put(
+        "level-list",
+        codec.encode(
+            new ServerMessage.LevelList(
+                0,
+                true,
+                List.of(new ServerMessage.LevelEntry("Hill", "arena", "Zoë", 2, true)))));
     golden.put(
         "best-lists",
         codec.encode(

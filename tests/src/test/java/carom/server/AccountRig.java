@@ -12,8 +12,10 @@ import carom.server.checkpoint.SlotDisk;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
+import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import carom.server.session.Session;
+import carom.sim.Game;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,6 +43,9 @@ final class AccountRig implements AutoCloseable {
 
   long nowNs;
 
+  /** The game that is played if it isn't installed, or null. */
+  private Game game;
+
   /**
    * Starts a server.
    *
@@ -49,18 +54,39 @@ final class AccountRig implements AutoCloseable {
    */
   AccountRig(AccountStore store, Path folder, Path scratch, long nowNs, String... rooms)
       throws Exception {
+    this(
+        store,
+        folder,
+        scratch,
+        nowNs,
+        ServerConfig.defaults(),
+        "earn",
+        new HandedInMatch(EarnGame::new, EarnGame.level()),
+        rooms);
+    game = new EarnGame();
+  }
+
+  /** Starts a server of another game, which plays a level of a library. */
+  AccountRig(
+      AccountStore store,
+      Path folder,
+      Path scratch,
+      long nowNs,
+      ServerConfig config,
+      String level,
+      MatchLibrary library,
+      String... rooms)
+      throws Exception {
     this.nowNs = nowNs;
     List<RoomConfig> configs = new ArrayList<>();
     for (String room : rooms) {
-      configs.add(new RoomConfig(room, "", List.of("earn"), 8, 7, Map.of()));
+      configs.add(new RoomConfig(room, "", List.of(level), 8, 7, Map.of()));
     }
     server =
         new Server(
-            ServerConfig.defaults()
-                .with(ServerConfig.STATUS_INTERVAL, 0)
-                .with(ServerConfig.GRACE, 600),
+            config.with(ServerConfig.STATUS_INTERVAL, 0).with(ServerConfig.GRACE, 600),
             configs,
-            new HandedInMatch(EarnGame::new, EarnGame.level()),
+            library,
             network.server(),
             () -> this.nowNs);
     accounts = new AccountService(store, () -> this.nowNs);
@@ -106,7 +132,7 @@ final class AccountRig implements AutoCloseable {
     return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
   }
 
-  private static String token(String account) throws Exception {
+  static String token(String account) throws Exception {
     String text =
         base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
             + "."
@@ -123,7 +149,7 @@ final class AccountRig implements AutoCloseable {
   /** Sends a greeting in the name of an account. */
   FakeClient hello(String account, String room, long secret) throws Exception {
     FakeClient client = new FakeClient(network.client().connect("", 0, 0));
-    client.game = new EarnGame();
+    client.game = game;
     client.link.send(
         new ClientMessage.Hello(
             Protocol.VERSION,

@@ -47,7 +47,7 @@ final class RoomChangeTest {
 
   private CommandRegistry registry(Server server) {
     CommandRegistry registry = new CommandRegistry();
-    RoomChangeCommands.add(registry, server, server.rooms(), new DataFolder(folder));
+    RoomChangeCommands.add(registry, server, server.rooms(), new DataFolder(folder), null);
     return registry;
   }
 

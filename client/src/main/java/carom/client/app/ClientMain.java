@@ -6,6 +6,7 @@ import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.edit.EditFile;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.LevelSender;
 import carom.client.link.RoomBrowser;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.SpectatorThread;
@@ -15,6 +16,7 @@ import carom.client.view.ClientView;
 import carom.game.GamesOption;
 import carom.net.frame.Trust;
 import carom.net.protocol.PlayerName;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.seal.KnownServers;
 import carom.net.seal.PlayerKey;
 import carom.net.transport.ClientTransport;
@@ -23,8 +25,11 @@ import carom.options.Flags;
 import carom.options.Rows;
 import carom.options.Setting;
 import carom.sim.scene.Scenes;
+import carom.text.FileErrors;
 import carom.text.Suggestion;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.ServiceLoader;
@@ -126,6 +131,10 @@ public final class ClientMain implements Callable<Integer> {
   private static final Setting<Boolean> ROOM_LIST =
       ROWS.mark("list").text("Print the rooms of the server instead of playing, one a line.");
 
+  private static final Setting<Path> UPLOAD =
+      ROWS.path("upload", "FILE", null)
+          .text("Send a level of yours to the server instead of playing, if it takes some.");
+
   private static String nameProblem(String name) {
     String problem = PlayerName.problem(name);
     return problem == null ? null : ": " + problem;
@@ -195,6 +204,9 @@ public final class ClientMain implements Callable<Integer> {
             .with(ClientConfig.SYNC_TEST, flags.get(SYNCTEST));
     if (flags.get(ROOM_LIST)) {
       return listRooms();
+    }
+    if (flags.get(UPLOAD) != null) {
+      return upload(withKey(config), flags.get(UPLOAD));
     }
     if (flags.get(WATCH) != null) {
       return watch(config);
@@ -283,6 +295,28 @@ public final class ClientMain implements Callable<Integer> {
       }
       System.out.println(RoomTable.of(browser.rooms()));
       return 0;
+    }
+  }
+
+  /** Sends a level, and prints what has come of it; returns 1 if the server doesn't take it. */
+  private int upload(ClientConfig config, Path file) {
+    byte[] level;
+    try (InputStream in = Files.newInputStream(file)) {
+      level = in.readNBytes(ProtocolLimits.MAX_OFFERED_BYTES + 1);
+    } catch (IOException e) {
+      throw new BadFlag(
+          spec.commandLine(), "--upload=" + file + " can't be read: " + FileErrors.reason(e));
+    }
+    try (ClientTransport transport = network.sockets(trust());
+        LevelSender sender = new LevelSender(config, level, transport)) {
+      while (!sender.isDone()) {
+        sender.update(System.nanoTime());
+        if (!sleepUntil(System.nanoTime() + FRAME_NS)) {
+          return 1;
+        }
+      }
+      (sender.isTaken() ? System.out : System.err).println(sender.text());
+      return sender.isTaken() ? 0 : 1;
     }
   }
 

@@ -20,6 +20,7 @@ import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.UiColours;
 import carom.client.edit.EditFile;
 import carom.client.link.LanSearch;
+import carom.client.link.LevelSender;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;
@@ -40,7 +41,9 @@ import com.badlogic.gdx.Screen;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -203,6 +206,9 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     game.debug(options.debug());
     game.adviceAlone(AloneAdvice.of(local != null, server()));
     noted = local != null;
+    if (local == null) {
+      game.sender(level -> new LevelSender(visit, level, sockets));
+    }
     if (edited != null) {
       game.escape(() -> leave(""));
     }
@@ -337,6 +343,28 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   private void edit(EditScreen editor) {
     edited = editor;
     show(editor);
+  }
+
+  @Override
+  public List<String> servers() {
+    PlayerSettings s = settings();
+    Set<String> servers = new LinkedHashSet<>(s.get(PlayerSettings.RECENT));
+    servers.addAll(s.get(PlayerSettings.FAVOURITES));
+    servers.add(server().toText());
+    return List.copyOf(servers);
+  }
+
+  @Override
+  public LevelSender send(String server, byte[] level) {
+    ServerAddress to = ServerAddress.parse(server);
+    ClientConfig by =
+        config
+            .withServer(to.host(), to.tcpPort(), to.udpPort())
+            .with(ClientConfig.NAME, playerName());
+    if (!to.equals(server())) { // a password is shown to no other server
+      by = by.with(ClientConfig.PASSWORD, "");
+    }
+    return new LevelSender(by, level, sockets);
   }
 
   @Override

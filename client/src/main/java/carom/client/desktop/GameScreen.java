@@ -18,11 +18,13 @@ import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.link.ConnectionPhase;
+import carom.client.link.LevelSender;
 import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
 import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.LevelList;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.entity.Input;
@@ -76,6 +78,8 @@ final class GameScreen extends ScreenAdapter {
   private float secondsPlayed;
   private boolean played;
 
+  private Function<byte[], LevelSender> sender = level -> null;
+
   /** Runs at Esc instead of the menu; null for the menu. */
   private Runnable escape;
 
@@ -120,6 +124,11 @@ final class GameScreen extends ScreenAdapter {
               Level level = here ? client.view().level() : levels.apply(room);
               return level == null ? null : levelPictures.of(level);
             });
+  }
+
+  /** Sets what sends a level of the player's to the server. */
+  void sender(Function<byte[], LevelSender> newSender) {
+    sender = newSender;
   }
 
   /** Returns the devices as a source of input. */
@@ -229,6 +238,26 @@ final class GameScreen extends ScreenAdapter {
     @Override
     public List<BestList> best() {
       return client.view().best();
+    }
+
+    @Override
+    public void askForLevels() {
+      client.listLevels();
+    }
+
+    @Override
+    public LevelList levels() {
+      return client.view().levels();
+    }
+
+    @Override
+    public void chooseLevel(String name) {
+      client.chooseLevel(name);
+    }
+
+    @Override
+    public LevelSender send(byte[] level) {
+      return sender.apply(level);
     }
 
     @Override

@@ -249,6 +249,8 @@ public final class Connection implements LinkHandler {
       listener.rooms(rooms);
     } else if (received instanceof ServerMessage.BestLists lists) {
       listener.best(lists);
+    } else if (received instanceof ServerMessage.LevelList levels) {
+      listener.levels(levels);
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
     } else if (received instanceof ServerMessage.PlayPage page) {

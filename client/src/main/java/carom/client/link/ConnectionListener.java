@@ -34,6 +34,9 @@ public interface ConnectionListener {
   /** Receives the best lists. */
   void best(ServerMessage.BestLists lists);
 
+  /** Receives a part of the list of levels of players. */
+  void levels(ServerMessage.LevelList levels);
+
   /** Receives a line of the server for the player. */
   void notice(String text);
 

@@ -6,6 +6,7 @@ import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.LevelList;
 import carom.net.protocol.ServerMessage.PlayPage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
@@ -140,6 +141,7 @@ public final class ClientView {
   int matchNumber;
   List<RoomEntry> rooms = List.of();
   List<BestList> best;
+  LevelList levels;
   ConnectionPhase phase = ConnectionPhase.IDLE;
   String message = "";
   double progress;
@@ -486,6 +488,14 @@ public final class ClientView {
    */
   public List<BestList> best() {
     return best;
+  }
+
+  /**
+   * Returns the levels of players, as the server told when the client last asked ({@code
+   * GameClient.listLevels}); null before.
+   */
+  public LevelList levels() {
+    return levels;
   }
 
   /** Returns the last few lines from the server, oldest first. Do not change the list. */

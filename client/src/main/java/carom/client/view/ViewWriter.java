@@ -5,6 +5,7 @@ import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.BestList;
+import carom.net.protocol.ServerMessage.LevelList;
 import carom.net.protocol.ServerMessage.PlayPage;
 import carom.net.protocol.ServerMessage.RoomEntry;
 import carom.net.protocol.ServerMessage.Roster;
@@ -96,6 +97,11 @@ public final class ViewWriter {
   public void playPage(String host, PlayPage page) {
     view.playHost = host;
     view.playPage = page;
+  }
+
+  /** Sets the levels of players. */
+  public void levels(LevelList levels) {
+    view.levels = levels;
   }
 
   /** Sets the tick that is predicted. */

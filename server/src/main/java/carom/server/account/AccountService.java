@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -75,12 +76,11 @@ public final class AccountService implements AutoCloseable {
   private long retryNs;
   private long bestNs;
 
-  // Written by the service's thread; dropped is guarded by this.
-  private volatile long read;
-  private volatile long written;
-  private volatile long refused;
-  private volatile long failed;
-  private volatile long dropped;
+  private final LongAdder read = new LongAdder();
+  private final LongAdder written = new LongAdder();
+  private final LongAdder refused = new LongAdder();
+  private final LongAdder failed = new LongAdder();
+  private final LongAdder dropped = new LongAdder();
 
   /**
    * Creates the service of a store, which it owns from now on.
@@ -125,7 +125,7 @@ public final class AccountService implements AutoCloseable {
     Key key = new Key(write.account, write.stamp, write.game);
     AccountWrite before = writes.get(key);
     if (before == null && writes.size() >= MOST_WAITING) {
-      dropped++;
+      dropped.increment();
       write.done();
     } else if (before == null || !before.ends) {
       writes.put(key, write);
@@ -151,11 +151,11 @@ public final class AccountService implements AutoCloseable {
   /** Returns what the metrics tell of accounts. */
   public List<Figure> figures() {
     return List.of(
-        counter("accounts.read", "Stays of accounts that have begun with the store.", () -> read),
-        counter("accounts.written", "Writes of accounts that the store took.", () -> written),
-        counter("accounts.refused", "Writes that came after those of a newer stay.", () -> refused),
-        counter("accounts.failed", "Calls that the store of accounts failed.", () -> failed),
-        counter("accounts.dropped", "Writes that were one too many to wait.", () -> dropped),
+        counter("accounts.read", "Stays of accounts that have begun with the store.", read),
+        counter("accounts.written", "Writes of accounts that the store took.", written),
+        counter("accounts.refused", "Writes that came after those of a newer stay.", refused),
+        counter("accounts.failed", "Calls that the store of accounts failed.", failed),
+        counter("accounts.dropped", "Writes that were one too many to wait.", dropped),
         new Figure(
             "accounts.waiting", "Writes that wait for the store of accounts.", true, this::waiting),
         new Figure(
@@ -165,8 +165,8 @@ public final class AccountService implements AutoCloseable {
             () -> failing ? 1 : 0));
   }
 
-  private static Figure counter(String name, String help, LongSupplier value) {
-    return new Figure(name, help, false, value::getAsLong);
+  private static Figure counter(String name, String help, LongAdder value) {
+    return new Figure(name, help, false, value::sum);
   }
 
   /**
@@ -316,7 +316,7 @@ public final class AccountService implements AutoCloseable {
         }
         return;
       }
-      read++;
+      read.increment();
       if (stay.values() == null) {
         stay = new Stay(load.account, stay.stamp(), known.values());
       }
@@ -333,8 +333,7 @@ public final class AccountService implements AutoCloseable {
   private void serve(AccountWrite write) {
     try {
       boolean taken = store.write(write);
-      written += taken ? 1 : 0;
-      refused += taken ? 0 : 1;
+      (taken ? written : refused).increment();
       if (!taken && isLost(write)) {
         LOG.warn(
             "accounts: account={} has joined elsewhere since; what room={} game={} gave it until"
@@ -406,7 +405,7 @@ public final class AccountService implements AutoCloseable {
 
   private void fails(Exception e, String meaning) {
     failing = true;
-    failed++;
+    failed.increment();
     long now = clock.getAsLong();
     retryNs = now + TimeUnit.MILLISECONDS.toNanos(RETRY_MS);
     if (now - saidNs >= SAY_AGAIN_NS) {
@@ -416,7 +415,7 @@ public final class AccountService implements AutoCloseable {
           e.getMessage(),
           meaning,
           waiting(),
-          dropped,
+          dropped.sum(),
           MOST_WAITING);
     }
   }

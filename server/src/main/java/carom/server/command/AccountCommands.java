@@ -8,6 +8,7 @@ import carom.server.session.PlayerInfo;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -76,12 +77,13 @@ public final class AccountCommands {
     String account = found.get(0).account();
     boolean kept = await(accounts.forget(account));
     int removed = remove(account);
-    return "%s account=%s; %d %s removed"
-        .formatted(
-            kept ? "forgot" : "nothing is kept of",
-            account,
-            removed,
-            removed == 1 ? "player" : "players");
+    return String.format(
+        Locale.ROOT,
+        "%s account=%s; %d %s removed",
+        kept ? "forgot" : "nothing is kept of",
+        account,
+        removed,
+        removed == 1 ? "player" : "players");
   }
 
   /** Returns the accounts of a name or with an ID, those of players who are here among them. */
@@ -128,15 +130,16 @@ public final class AccountCommands {
     }
     for (AccountStore.KnownValue value : known.values()) {
       text.append(
-          "\n  %s: %s = %d (%s; room=%s match=%d tick=%d)"
-              .formatted(
-                  value.game(),
-                  value.field(),
-                  value.kept().word(),
-                  value.kept().form(),
-                  value.place().room(),
-                  value.place().match(),
-                  value.place().tick()));
+          String.format(
+              Locale.ROOT,
+              "\n  %s: %s = %d (%s; room=%s match=%d tick=%d)",
+              value.game(),
+              value.field(),
+              value.kept().word(),
+              value.kept().form(),
+              value.place().room(),
+              value.place().match(),
+              value.place().tick()));
     }
     return text.toString();
   }

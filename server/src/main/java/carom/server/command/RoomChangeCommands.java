@@ -5,6 +5,7 @@ import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.RoomFlag;
 import carom.server.room.Room;
+import carom.server.upload.Uploads;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,11 +38,12 @@ public final class RoomChangeCommands {
    *
    * @param rooms all rooms of the server, a live list
    * @param data the server's files
+   * @param uploads levels of players, or null if the server takes none
    */
   public static void add(
-      CommandRegistry registry, RoomKeeper keeper, List<Room> rooms, DataFolder data) {
+      CommandRegistry registry, RoomKeeper keeper, List<Room> rooms, DataFolder data, Uploads uploads) {
     RoomChangeCommands all =
-        new RoomChangeCommands(keeper, new RoomFinder(rooms), new LevelWords(data));
+        new RoomChangeCommands(keeper, new RoomFinder(rooms), new LevelWords(data, uploads));
     registry.add(
         new Command(
             "room",

@@ -6,6 +6,7 @@ import carom.server.replication.LinkFigures;
 import carom.server.room.OperatorCommands;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
+import carom.server.upload.Uploads;
 import carom.sim.message.BuiltInKinds;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -26,11 +27,11 @@ public final class RoomCommands {
   private final DataFolder data;
   private final LevelWords levelWords;
 
-  private RoomCommands(List<Room> rooms, DataFolder data) {
+  private RoomCommands(List<Room> rooms, DataFolder data, Uploads uploads) {
     this.finder = new RoomFinder(rooms);
     this.rooms = rooms;
     this.data = data;
-    levelWords = new LevelWords(data);
+    levelWords = new LevelWords(data, uploads);
   }
 
   /**
@@ -38,9 +39,10 @@ public final class RoomCommands {
    *
    * @param rooms all rooms of the server
    * @param data the server's files
+   * @param uploads levels of players, or null if the server takes none
    */
-  public static void add(CommandRegistry registry, List<Room> rooms, DataFolder data) {
-    RoomCommands all = new RoomCommands(rooms, data);
+  public static void add(CommandRegistry registry, List<Room> rooms, DataFolder data, Uploads uploads) {
+    RoomCommands all = new RoomCommands(rooms, data, uploads);
     all.addForPlayers(registry);
     all.addForMatches(registry);
   }

@@ -76,6 +76,11 @@ public record DataFolder(Path root) {
     return root.resolve("accounts");
   }
 
+  /** Returns the folder of levels that players have sent. */
+  public Path uploads() {
+    return root.resolve("uploads");
+  }
+
   /** Returns the folder of the journals of rooms that this server follows in its fleet. */
   public Path followed() {
     return root.resolve("followed");

@@ -209,6 +209,19 @@ public final class ServerConfig extends Settings<ServerConfig> {
                   + " nowhere, or postgresql://[USER[:PASSWORD]@]HOST[:PORT]/DATABASE, for several"
                   + " servers ({default}).");
 
+  public static final Setting<Boolean> UPLOADS =
+      ROWS.toggle("uploads", false)
+          .text(
+              "Take levels from players who have an account: checked, bounded, kept in the data"
+                  + " folder; moderators remove them.");
+
+  public static final Setting<List<String>> PLAYERS_CHOOSE =
+      ROWS.texts("players-choose", "ROOM")
+          .text(
+              "A room that plays a level of a player as soon as more than half of its players with"
+                  + " an account want that; give it once for each room, or all.")
+          .live();
+
   public static final Setting<String> RECORD =
       ROWS.text("record", "FILE", null)
           .text(

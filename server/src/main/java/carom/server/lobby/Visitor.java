@@ -6,8 +6,10 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.Protocol;
+import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.LevelOutcome;
 import carom.net.protocol.SessionState;
 import carom.net.seal.PlayerKey;
 import carom.net.transport.Broadcast;
@@ -28,6 +30,8 @@ import carom.server.session.Admission;
 import carom.server.session.LevelUpload;
 import carom.server.session.PacedMessages;
 import carom.server.session.Seats;
+import carom.server.upload.Uploads;
+import carom.text.Texts;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Locale;
@@ -69,6 +73,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private static final int MIN_LOADING = 8;
 
   private static final String NO_DIRECTORY = "The fleet's directory doesn't answer.";
+
+  /** Number of visitors that may send a level at a time. */
+  private static final int MAX_INTAKES = 8;
 
   /** Number of times that a visitor may ask for the list of rooms. */
   private static final int MAX_LISTS = 8;
@@ -123,6 +130,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** The way to another server of the fleet, as soon as there is a ticket; or null. */
   private Future<ServerMessage.Move> moving;
 
+  /** The level that the client sends instead of joining, or null. */
+  private LevelIntake intake;
+
   /** The room that the client waits for, which this server follows; or null. */
   private ClientMessage.Standby standby;
 
@@ -147,7 +157,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   @Override
   public Entrance.Proof proof() {
-    if (done || state == SessionState.LOADING || standby != null) {
+    if (done || state == SessionState.LOADING || standby != null || intake != null) {
       return Entrance.Proof.IN;
     }
     return waiting == null ? Entrance.Proof.UNPROVEN : Entrance.Proof.PROVEN;
@@ -204,6 +214,13 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         && password == null
         && message instanceof ClientMessage.Password shown) {
       password = shown.text();
+    } else if (state == SessionState.CONNECTED
+        && message instanceof ClientMessage.OfferLevel offer) {
+      offer(offer);
+    } else if (intake != null && message instanceof ClientMessage.LevelPiece piece) {
+      if (!intake.take(piece, link)) {
+        refuse(RefusalReason.BAD_REQUEST, "A piece of the level is out of order.");
+      }
     } else if (message instanceof ClientMessage.ListRooms list) {
       list(list);
     } else if (state == SessionState.LOADING
@@ -332,8 +349,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
       return;
     }
-    if (standby != null) {
-      refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by.");
+    if (standby != null || intake != null) {
+      refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by or sends a level.");
       return;
     }
     if (!isAlone() && hello.token().startsWith(FleetDoor.TICKET)) {
@@ -364,6 +381,61 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     waiting = request;
     waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
     tryToEnter();
+  }
+
+  /** Begins to take a level, if the server takes one of this player now. */
+  private void offer(ClientMessage.OfferLevel offer) {
+    if (!requireProtocol(offer.protocolVersion())) {
+      return;
+    }
+    Uploads uploads = directory.uploads();
+    if (intake != null || standby != null) {
+      refuse(RefusalReason.BAD_REQUEST, "One level at a time.");
+      return;
+    }
+    if (uploads == null) {
+      endIntake(new Uploads.Outcome(false, "This server takes no levels of players."), 0);
+      return;
+    }
+    if (!requirePassword()) {
+      return;
+    }
+    JoinRequest by =
+        requestOf(
+            new ClientMessage.Hello(
+                offer.protocolVersion(), 0, offer.name(), 0, "", "", offer.token()));
+    if (by == null) {
+      return;
+    }
+    String problem = PlayerName.problem(by.name());
+    if (problem != null) {
+      refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+      return;
+    }
+    if (!requireEntry(by.name(), by.account())) {
+      return;
+    }
+    String refusal =
+        context.visitors().stream().filter(Visitor::sendsLevel).count() >= MAX_INTAKES
+            ? "The levels of others are on their way."
+            : uploads.refusal(by.account(), origin.host());
+    if (refusal != null) {
+      endIntake(new Uploads.Outcome(false, refusal), 0);
+      return;
+    }
+    intake = new LevelIntake(uploads, by.account(), by.name(), offer);
+    deadlineNs = context.nowNs() + config.get(ServerConfig.LOAD_TIMEOUT_MS) * NS_PER_MS;
+    intake.tell(link);
+  }
+
+  /** Tells the client what has come of its level, and parts. */
+  private void endIntake(Uploads.Outcome outcome, int received) {
+    done = true;
+    String text = Texts.cut(outcome.text(), ProtocolLimits.MAX_TEXT_BYTES);
+    link.send(
+        new ServerMessage.LevelAnswer(
+            received, outcome.taken() ? LevelOutcome.TAKEN : LevelOutcome.NOT_TAKEN, text));
+    context.closeLater(link, "has sent a level");
   }
 
   /** Waits for the room of a session, which this server follows. */
@@ -482,6 +554,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     if (remembering != null) {
       enterRoom();
+      return;
+    }
+    if (intake != null && intake.outcome() != null) {
+      endIntake(intake.outcome(), intake.received());
       return;
     }
     if (standby != null) {
@@ -716,17 +792,20 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         && waiting == null
         && redeeming == null
         && standby == null
+        && (intake == null || !intake.isWhole())
         && context.nowNs() - deadlineNs >= 0) {
       refuse(
           RefusalReason.TOO_SLOW,
-          state == SessionState.CONNECTED
+          state == SessionState.CONNECTED && intake == null
               ? String.format(
                   Locale.ROOT,
                   "No greeting came within %d ms.",
                   config.get(ServerConfig.HANDSHAKE_TIMEOUT_MS))
               : String.format(
                   Locale.ROOT,
-                  "The level was not loaded within %d ms.",
+                  intake == null
+                      ? "The level was not loaded within %d ms."
+                      : "The level has not arrived within %d ms.",
                   config.get(ServerConfig.LOAD_TIMEOUT_MS)));
     }
   }
@@ -776,6 +855,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Returns whether the visitor has left the lobby, for a room or altogether. */
   boolean isDone() {
     return done;
+  }
+
+  /** Returns whether the visitor sends a level. */
+  boolean sendsLevel() {
+    return !done && intake != null;
   }
 
   /** Returns whether the visitor holds a seat and still loads the level. */

@@ -46,6 +46,11 @@ public interface MatchLibrary {
    */
   LoadedLevel level(String name) throws LevelException;
 
+  /** Returns whether a level that was there has been removed. */
+  default boolean isGone(String name) {
+    return false;
+  }
+
   /**
    * Returns the names of the levels that come with the program: those of games, and others. A game
    * whose level is a file of its own, or isn't there, adds none.
@@ -74,6 +79,11 @@ public interface MatchLibrary {
       @Override
       public LoadedLevel level(String name) throws LevelException {
         return otherwise.level(data.level(name));
+      }
+
+      @Override
+      public boolean isGone(String name) {
+        return otherwise.isGone(name);
       }
     };
   }
@@ -113,6 +123,11 @@ public interface MatchLibrary {
       @Override
       public LoadedLevel level(String name) throws LevelException {
         return library.level(name);
+      }
+
+      @Override
+      public boolean isGone(String name) {
+        return library.isGone(name);
       }
     };
   }

@@ -150,6 +150,11 @@ public final class MatchLoader {
     }
   }
 
+  /** Returns whether a level of the rotation has been removed. */
+  public boolean isGone(String level) {
+    return library.isGone(level);
+  }
+
   /** Returns the seed of the room's first match. */
   public long firstSeed() {
     return firstSeed;

@@ -272,6 +272,13 @@ final class MatchChange implements RoomCourse {
     }
   }
 
+  /** Plays a match as soon as it is built, unless another is under way. */
+  void play(NextMatch wanted, long nowNs) {
+    if (load == null) {
+      request(wanted, nowNs);
+    }
+  }
+
   private void request(NextMatch wanted, long nowNs) {
     if (wanted.equals(failed) && nowNs - failedNs < RETRY_NS) {
       return;
@@ -287,10 +294,16 @@ final class MatchChange implements RoomCourse {
   private NextMatch nextOfRotation(NextMatch wanted) {
     String game = settings.game();
     String level = "";
-    if (!settings.levels().isEmpty()) {
-      inRotation = (inRotation + 1) % settings.levels().size();
+    int levels = settings.levels().size();
+    for (int i = 0; i < levels && level.isEmpty(); i++) {
+      inRotation = (inRotation + 1) % levels;
+      String next = settings.levels().get(inRotation);
+      level = loader.isGone(next) ? "" : next;
+    }
+    if (!level.isEmpty()) {
       game = "";
-      level = settings.levels().get(inRotation);
+    } else if (game.isEmpty()) {
+      game = room.match().info().game(); // whose default level is always there
     }
     return new NextMatch(game, level, wanted.keepsTeams(), wanted.keepsScores());
   }

@@ -5,6 +5,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
 import carom.server.account.AccountService;
 import carom.server.session.ChatCommands;
+import carom.server.upload.Uploads;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -22,6 +23,7 @@ public final class RoomDirectory {
   private volatile ChatCommands chatCommands = ChatCommands.NONE;
   private volatile FleetDoor fleet = FleetDoor.NONE;
   private volatile AccountService accounts;
+  private volatile Uploads uploads;
   private List<Broadcast> list = List.of();
   private List<Broadcast> listHere = List.of();
   private long listedNs;
@@ -56,6 +58,16 @@ public final class RoomDirectory {
   /** Returns what keeps accounts, or null if nothing does. */
   public AccountService accounts() {
     return accounts;
+  }
+
+  /** Sets what keeps levels of players; before the first turn. */
+  public void uploads(Uploads levels) {
+    uploads = levels;
+  }
+
+  /** Returns what keeps levels of players, or null if the server takes none. */
+  public Uploads uploads() {
+    return uploads;
   }
 
   /** Sets who takes commands that players write into the chat of any room. */

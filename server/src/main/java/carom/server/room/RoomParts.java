@@ -89,7 +89,9 @@ final class RoomParts {
             accounts);
     arrivals =
         new Arrivals(context, clock, sessions, departures, roster, announcer, changes, accounts);
-    switches = new RoomSwitches(context, self, directory, sessions, departures, accounts);
+    LevelChoices choices =
+        new LevelChoices(context, settings.name(), directory, sessions, announcer, changes);
+    switches = new RoomSwitches(context, self, directory, sessions, departures, accounts, choices);
     LoadWarnings warnings = new LoadWarnings(label, counters, config.get(ServerConfig.TICK_RATE));
     pace =
         new TickPace(

@@ -18,7 +18,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets players see the other rooms and go there, and tells them the best lists. A player who
+ * Lets players see the other rooms and go there, and tells them the best lists and the
+ * levels of players. A player who
  * changes the room keeps link, secret and name; the session ends here, and the other room begins
  * one that loads its match.
  *
@@ -39,6 +40,7 @@ final class RoomSwitches {
   private final RoomSessions sessions;
   private final Departures departures;
   private final RoomAccounts accounts;
+  private final LevelChoices levels;
 
   /** Tickets to other servers that were asked for. */
   private final IdentityHashMap<Session, Future<ServerMessage.Move>> tickets =
@@ -51,18 +53,21 @@ final class RoomSwitches {
       RoomDirectory directory,
       RoomSessions sessions,
       Departures departures,
-      RoomAccounts accounts) {
+      RoomAccounts accounts,
+      LevelChoices levels) {
     this.room = room;
     this.self = self;
     this.directory = directory;
     this.sessions = sessions;
     this.departures = departures;
     this.accounts = accounts;
+    this.levels = levels;
   }
 
   /** Answers the sessions that ask for the list of rooms, and moves those that want to go. */
   void serve(long nowNs) {
     int rate = room.config().get(ServerConfig.TICK_RATE);
+    levels.serve(nowNs);
     if (!tickets.isEmpty()) {
       tickets.keySet().removeIf(session -> session.state() == SessionState.CLOSED);
     }
@@ -73,6 +78,9 @@ final class RoomSwitches {
       }
       if (session.takeBestRequest(rate / LISTS_PER_SECOND)) {
         session.answer().begin(List.of(new Broadcast(accounts.best(session.seat().account()))));
+      }
+      if (session.takeLevelsRequest(rate / LISTS_PER_SECOND)) {
+        session.answer().begin(levels.list(session));
       }
       for (Broadcast part; (part = session.answer().take(nowNs)) != null; ) {
         sessions.sendTo(session, part);

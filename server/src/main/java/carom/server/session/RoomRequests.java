@@ -4,6 +4,8 @@ package carom.server.session;
 final class RoomRequests {
   private boolean wantsList;
   private boolean wantsBest;
+  private boolean wantsLevels;
+  private String choice;
   private int ticksSinceAnswer = Short.MAX_VALUE; // long ago
   private String room;
   private final PacedMessages answer = new PacedMessages();
@@ -21,6 +23,30 @@ final class RoomRequests {
   /** Notes a request for the best lists. Requests before the answer are one. */
   void askForBest() {
     wantsBest = true;
+  }
+
+  /** Notes a request for the levels of players. Requests before the answer are one. */
+  void askForLevels() {
+    wantsLevels = true;
+  }
+
+  /** Notes the level of a player that the player wants to play; an empty text for none. */
+  void choose(String level) {
+    choice = level;
+  }
+
+  /** Takes the choice that was made since, or null. */
+  String takeChoice() {
+    String made = choice;
+    choice = null;
+    return made;
+  }
+
+  /** Takes the request for the levels of players, as {@link #takeListRequest} does. */
+  boolean takeLevelsRequest(int ticks) {
+    boolean takes = wantsLevels && startsAnswer(ticks);
+    wantsLevels &= !takes;
+    return takes;
   }
 
   /**

@@ -4,7 +4,7 @@ import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import carom.server.account.Stay;
-import java.nio.charset.StandardCharsets;
+import carom.text.Texts;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -383,11 +383,7 @@ public final class Seats {
    * space.
    */
   private static String shortened(String name, int maxBytes) {
-    String text = name;
-    while (text.getBytes(StandardCharsets.UTF_8).length > maxBytes) {
-      text = text.substring(0, text.offsetByCodePoints(text.length(), -1));
-    }
-    return text.stripTrailing();
+    return Texts.cut(name, maxBytes).stripTrailing();
   }
 
   /** One place in a room. */

@@ -242,6 +242,10 @@ public final class Session implements LinkHandler {
       roomRequests.askForList();
     } else if (message instanceof ClientMessage.ListBest) {
       roomRequests.askForBest();
+    } else if (message instanceof ClientMessage.ListLevels) {
+      roomRequests.askForLevels();
+    } else if (message instanceof ClientMessage.ChooseLevel choice) {
+      roomRequests.choose(choice.name());
     } else if (message instanceof ClientMessage.ChangeRoom change) {
       roomRequests.goTo(change.room());
     } else if (state == SessionState.LOADING) {
@@ -484,7 +488,17 @@ public final class Session implements LinkHandler {
     return roomRequests.takeBestRequest(ticks);
   }
 
-  /** Returns the answer that is under way to the player: a list of rooms, or the best lists. */
+  /** Takes the request for the levels of players, as {@link #takeRoomsRequest} does. */
+  public boolean takeLevelsRequest(int ticks) {
+    return roomRequests.takeLevelsRequest(ticks);
+  }
+
+  /** Takes the level of a player that the client has chosen since, empty for none; or null. */
+  public String takeChoice() {
+    return roomRequests.takeChoice();
+  }
+
+  /** Returns the answer that is under way to the player: a list of rooms or levels, or the best. */
   public PacedMessages answer() {
     return roomRequests.answer();
   }

@@ -14,7 +14,11 @@ import carom.net.protocol.ServerMessage.Fleet;
 import carom.net.protocol.ServerMessage.GameMessage;
 import carom.net.protocol.ServerMessage.Goodbye;
 import carom.net.protocol.ServerMessage.Heard;
+import carom.net.protocol.ServerMessage.LevelAnswer;
 import carom.net.protocol.ServerMessage.LevelChunk;
+import carom.net.protocol.ServerMessage.LevelEntry;
+import carom.net.protocol.ServerMessage.LevelList;
+import carom.net.protocol.ServerMessage.LevelOutcome;
 import carom.net.protocol.ServerMessage.Move;
 import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.Pace;
@@ -62,6 +66,7 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private final Kryo kryo = new Kryo();
   private static final int MAX_PORT = 65_535;
+  private static final LevelOutcome[] OUTCOMES = LevelOutcome.values();
 
   private final Output output = new Output(512, ProtocolLimits.MAX_SERVER_MESSAGE_BYTES);
   private final FrameInput input = new FrameInput();
@@ -91,6 +96,8 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Move.class, new MoveSerializer(), id++);
     kryo.register(BestLists.class, new BestListsSerializer(), id++);
     kryo.register(PlayPage.class, new PlayPageSerializer(), id++);
+    kryo.register(LevelAnswer.class, new LevelAnswerSerializer(), id++);
+    kryo.register(LevelList.class, new LevelListSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -547,6 +554,60 @@ public final class KryoMessageCodec implements MessageCodec {
         all.add(new BestList(field, own, entries));
       }
       return new BestLists(all);
+    }
+  }
+
+  private static final class LevelAnswerSerializer extends MessageSerializer<LevelAnswer> {
+    @Override
+    @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
+    protected void write(Output out, LevelAnswer m) {
+      writeInt(out, "received", m.received(), 0, ProtocolLimits.MAX_OFFERED_BYTES);
+      out.writeByte(m.outcome().ordinal());
+      writeText(out, "text", m.text(), ProtocolLimits.MAX_TEXT_BYTES);
+    }
+
+    @Override
+    protected LevelAnswer read(Input in) {
+      int received = readInt(in, "received", 0, ProtocolLimits.MAX_OFFERED_BYTES);
+      int outcome = inRange("outcome", in.readByteUnsigned(), 0, OUTCOMES.length - 1);
+      return new LevelAnswer(
+          received, OUTCOMES[outcome], readText(in, "text", ProtocolLimits.MAX_TEXT_BYTES));
+    }
+  }
+
+  private static final class LevelListSerializer extends MessageSerializer<LevelList> {
+    private static final int MAX_LEVELS = 0xffff;
+
+    @Override
+    protected void write(Output out, LevelList m) {
+      writeInt(out, "left", m.left(), 0, MAX_LEVELS);
+      out.writeByte(m.mayChoose() ? 1 : 0);
+      writeInt(out, "levels", m.levels().size(), 0, ProtocolLimits.MAX_LISTED_LEVELS);
+      for (LevelEntry level : m.levels()) {
+        writeText(out, "name", level.name(), ProtocolLimits.MAX_NAME_BYTES);
+        writeText(out, "game", level.game(), ProtocolLimits.MAX_GAME_NAME_BYTES);
+        writeText(out, "author", level.author(), ProtocolLimits.MAX_NAME_BYTES);
+        writeInt(out, "votes", level.votes(), 0, ProtocolLimits.MAX_PLAYERS);
+        out.writeByte(level.chosen() ? 1 : 0);
+      }
+    }
+
+    @Override
+    protected LevelList read(Input in) {
+      int left = readInt(in, "left", 0, MAX_LEVELS);
+      boolean mayChoose = inRange("mayChoose", in.readByteUnsigned(), 0, 1) == 1;
+      int count = readInt(in, "levels", 0, ProtocolLimits.MAX_LISTED_LEVELS);
+      List<LevelEntry> levels = new ArrayList<>(count);
+      for (int i = 0; i < count; i++) {
+        levels.add(
+            new LevelEntry(
+                readText(in, "name", ProtocolLimits.MAX_NAME_BYTES),
+                readText(in, "game", ProtocolLimits.MAX_GAME_NAME_BYTES),
+                readText(in, "author", ProtocolLimits.MAX_NAME_BYTES),
+                readInt(in, "votes", 0, ProtocolLimits.MAX_PLAYERS),
+                inRange("chosen", in.readByteUnsigned(), 0, 1) == 1));
+      }
+      return new LevelList(left, mayChoose, levels);
     }
   }
 }

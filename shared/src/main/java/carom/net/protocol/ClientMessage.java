@@ -251,6 +251,62 @@ public sealed interface ClientMessage {
     }
   }
 
+  /**
+   * Offers a level of the player's to a server that takes levels, instead of {@link Hello}. {@link
+   * ServerMessage.LevelAnswer} says whether and how far the server takes it.
+   *
+   * @param protocolVersion {@link Protocol#VERSION} of the client
+   * @param levelSize size of the level file in bytes, 1..{@link ProtocolLimits#MAX_OFFERED_BYTES}
+   * @param packedSize size of the {@linkplain PackedLevel packed} file, of which {@link LevelPiece}
+   *     carries pieces, 1..{@link ProtocolLimits#MAX_OFFERED_BYTES}
+   * @param name the player's name, as in {@link Hello}
+   * @param token as in {@link Hello}; not empty, because a level belongs to an account
+   */
+  record OfferLevel(int protocolVersion, int levelSize, int packedSize, String name, String token)
+      implements ClientMessage {
+    /** Leaves the token out, which lets its bearer in. */
+    @Override
+    public String toString() {
+      return "OfferLevel[name=" + name + ", levelSize=" + levelSize + "]";
+    }
+  }
+
+  /**
+   * Carries the next piece of a level that is offered.
+   *
+   * @param offset of the first byte in the packed file; the pieces come in order, without gaps
+   * @param bytes 1..{@link ProtocolLimits#MAX_LEVEL_PIECE_BYTES}, owned by the message
+   */
+  @SuppressWarnings("ArrayRecordComponent") // The receiver reads the bytes at once.
+  record LevelPiece(int offset, byte[] bytes) implements ClientMessage {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof LevelPiece m && m.offset == offset && Arrays.equals(m.bytes, bytes);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * offset + Arrays.hashCode(bytes);
+    }
+
+    @Override
+    public String toString() {
+      return "LevelPiece[offset=" + offset + ", bytes=" + bytes.length + "]";
+    }
+  }
+
+  /**
+   * Asks which levels of players there are, while playing. {@link ServerMessage.LevelList} answers.
+   */
+  record ListLevels() implements ClientMessage {}
+
+  /**
+   * Says which level of a player the player wants the room to play, if its players may choose.
+   *
+   * @param name of the level; empty for none
+   */
+  record ChooseLevel(String name) implements ClientMessage {}
+
   /** Says that the player leaves. The server keeps no place for a player who left. */
   record Leave() implements ClientMessage {}
 }

@@ -36,6 +36,10 @@ public final class ClientMessageCodec {
   private static final byte PASSWORD = 15;
   private static final byte STANDBY = 16;
   private static final byte LIST_BEST = 17;
+  private static final byte OFFER_LEVEL = 18;
+  private static final byte LEVEL_PIECE = 19;
+  private static final byte LIST_LEVELS = 20;
+  private static final byte CHOOSE_LEVEL = 21;
   private static final int HELLO_FIXED_BYTES = 4 + 8 + 8;
 
   private ClientMessageCodec() {}
@@ -109,6 +113,24 @@ public final class ClientMessageCodec {
       buffer.put(HEARD).putInt(inRange("Heard.number", heard.number(), 0, Integer.MAX_VALUE));
     } else if (message instanceof ClientMessage.ListRooms list) {
       buffer.put(LIST_ROOMS).putInt(list.protocolVersion());
+    } else if (message instanceof ClientMessage.OfferLevel offer) {
+      int most = ProtocolLimits.MAX_OFFERED_BYTES;
+      buffer.put(OFFER_LEVEL).putInt(offer.protocolVersion());
+      buffer.putInt(inRange("OfferLevel.levelSize", offer.levelSize(), 1, most));
+      buffer.putInt(inRange("OfferLevel.packedSize", offer.packedSize(), 1, most));
+      putText("OfferLevel.name", offer.name(), ProtocolLimits.MAX_NAME_BYTES, buffer);
+      putToken(offer.token(), buffer);
+    } else if (message instanceof ClientMessage.LevelPiece piece) {
+      int length = piece.bytes().length;
+      inRange("LevelPiece.bytes", length, 1, ProtocolLimits.MAX_LEVEL_PIECE_BYTES);
+      int last = ProtocolLimits.MAX_OFFERED_BYTES - length;
+      buffer.put(LEVEL_PIECE).putInt(inRange("LevelPiece.offset", piece.offset(), 0, last));
+      buffer.put(piece.bytes());
+    } else if (message instanceof ClientMessage.ListLevels) {
+      buffer.put(LIST_LEVELS);
+    } else if (message instanceof ClientMessage.ChooseLevel choice) {
+      buffer.put(CHOOSE_LEVEL);
+      putText("ChooseLevel.name", choice.name(), ProtocolLimits.MAX_NAME_BYTES, buffer);
     } else if (message instanceof ClientMessage.ListBest) {
       buffer.put(LIST_BEST);
     } else if (message instanceof ClientMessage.ChangeRoom change) {
@@ -236,10 +258,51 @@ public final class ClientMessageCodec {
       case LIST_ROOMS -> decodeListRooms(buffer);
       case CHANGE_ROOM -> decodeChangeRoom(buffer);
       case PASSWORD -> decodePassword(buffer);
+      case OFFER_LEVEL -> decodeOfferLevel(buffer);
+      case LEVEL_PIECE -> decodeLevelPiece(buffer);
+      case LIST_LEVELS -> buffer.hasRemaining() ? null : new ClientMessage.ListLevels();
+      case CHOOSE_LEVEL -> decodeChooseLevel(buffer);
       case LIST_BEST -> buffer.hasRemaining() ? null : new ClientMessage.ListBest();
       case STANDBY -> decodeStandby(buffer);
       default -> null;
     };
+  }
+
+  private static ClientMessage decodeOfferLevel(ByteBuffer buffer) {
+    if (buffer.remaining() < 3 * Integer.BYTES) {
+      return null;
+    }
+    int version = buffer.getInt();
+    int size = buffer.getInt();
+    int packed = buffer.getInt();
+    String name = text(buffer, ProtocolLimits.MAX_NAME_BYTES);
+    String token = name == null ? null : token(buffer);
+    boolean good =
+        token != null && !buffer.hasRemaining() && isOfferedSize(size) && isOfferedSize(packed);
+    return good ? new ClientMessage.OfferLevel(version, size, packed, name, token) : null;
+  }
+
+  private static boolean isOfferedSize(int size) {
+    return size >= 1 && size <= ProtocolLimits.MAX_OFFERED_BYTES;
+  }
+
+  private static ClientMessage decodeLevelPiece(ByteBuffer buffer) {
+    int length = buffer.remaining() - Integer.BYTES;
+    if (length < 1 || length > ProtocolLimits.MAX_LEVEL_PIECE_BYTES) {
+      return null;
+    }
+    int offset = buffer.getInt();
+    if (offset < 0 || offset > ProtocolLimits.MAX_OFFERED_BYTES - length) {
+      return null;
+    }
+    byte[] bytes = new byte[length];
+    buffer.get(bytes);
+    return new ClientMessage.LevelPiece(offset, bytes);
+  }
+
+  private static ClientMessage decodeChooseLevel(ByteBuffer buffer) {
+    String name = text(buffer, ProtocolLimits.MAX_NAME_BYTES);
+    return name == null || buffer.hasRemaining() ? null : new ClientMessage.ChooseLevel(name);
   }
 
   private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {

@@ -10,7 +10,7 @@ public final class Protocol {
    * also between two releases, because builds that don't understand each other must refuse each
    * other.
    */
-  public static final int VERSION = 13;
+  public static final int VERSION = 14;
 
   /** The version of the simulation's arithmetic, as clients and servers tell it. */
   public static final String PHYSICS_VERSION = "carom-physics-" + PhysicsVersion.NUMBER;

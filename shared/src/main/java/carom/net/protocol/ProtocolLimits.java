@@ -134,5 +134,17 @@ public final class ProtocolLimits {
   /** Longest name of a field. */
   public static final int MAX_FIELD_NAME_BYTES = 32;
 
+  /** Largest level file of a player that a server takes, in bytes, packed or not. */
+  public static final int MAX_OFFERED_BYTES = 256 * 1_024;
+
+  /** Largest number of bytes of a packed level file in one {@link ClientMessage.LevelPiece}. */
+  public static final int MAX_LEVEL_PIECE_BYTES = 1_000;
+
+  /** Most pieces of a level that a client sends beyond those that have arrived. */
+  public static final int MAX_PIECES_AHEAD = 16;
+
+  /** Largest number of levels in one {@link ServerMessage.LevelList}. */
+  public static final int MAX_LISTED_LEVELS = 64;
+
   private ProtocolLimits() {}
 }

@@ -303,6 +303,53 @@ public sealed interface ServerMessage {
   record BestEntry(String name, String value) {}
 
   /**
+   * Says how far the server has a level that is offered, and what comes of it.
+   *
+   * @param received bytes of the packed file that have arrived; the client sends at most {@link
+   *     ProtocolLimits#MAX_PIECES_AHEAD} pieces beyond them
+   * @param outcome what has come of it
+   * @param text for the player: why it isn't taken, or under which name it is; at most {@link
+   *     ProtocolLimits#MAX_TEXT_BYTES}
+   */
+  record LevelAnswer(int received, LevelOutcome outcome, String text) implements ServerMessage {}
+
+  /** The state of a level that is offered. The order is part of the protocol. */
+  enum LevelOutcome {
+    /** The level arrives, or is checked. */
+    UNDER_WAY,
+    /** The server has it. The link closes after it. */
+    TAKEN,
+    /** The server doesn't take it. The link closes after it. */
+    NOT_TAKEN
+  }
+
+  /**
+   * Lists levels of players, in answer to {@link ClientMessage.ListLevels}. A long list takes
+   * several messages.
+   *
+   * @param left number of levels that follow in further messages
+   * @param mayChoose whether the players of the room choose what it plays
+   * @param levels at most {@link ProtocolLimits#MAX_LISTED_LEVELS}, sorted by name
+   */
+  record LevelList(int left, boolean mayChoose, List<LevelEntry> levels) implements ServerMessage {
+    /** Copies the list. */
+    public LevelList {
+      levels = List.copyOf(levels);
+    }
+  }
+
+  /**
+   * One level of a {@link LevelList}.
+   *
+   * @param name by which it is chosen
+   * @param game name of the game that it is made for
+   * @param author name of the player who sent it, as it was then
+   * @param votes number of players here who want the room to play it
+   * @param chosen whether the player is one of them
+   */
+  record LevelEntry(String name, String game, String author, int votes, boolean chosen) {}
+
+  /**
    * Shows a line on the player's screen.
    *
    * @param text at most {@link ProtocolLimits#MAX_TEXT_BYTES} in UTF-8

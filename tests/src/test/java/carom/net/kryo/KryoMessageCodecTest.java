@@ -93,6 +93,22 @@ final class KryoMessageCodecTest {
         new ServerMessage.BestLists(
             Collections.nCopies(ProtocolLimits.MAX_BEST_LISTS, largestBestList())),
         new ClientMessage.ListBest(),
+        new ServerMessage.LevelAnswer(
+            ProtocolLimits.MAX_OFFERED_BYTES, ServerMessage.LevelOutcome.NOT_TAKEN, "no"),
+        new ServerMessage.LevelList(
+            9,
+            true,
+            Collections.nCopies(
+                ProtocolLimits.MAX_LISTED_LEVELS,
+                new ServerMessage.LevelEntry(
+                    "n".repeat(ProtocolLimits.MAX_NAME_BYTES),
+                    "g".repeat(ProtocolLimits.MAX_GAME_NAME_BYTES),
+                    "a".repeat(ProtocolLimits.MAX_NAME_BYTES),
+                    ProtocolLimits.MAX_PLAYERS,
+                    false))),
+        new ClientMessage.OfferLevel(1, 1, ProtocolLimits.MAX_OFFERED_BYTES, "Ünal", "token"),
+        new ClientMessage.ListLevels(),
+        new ClientMessage.ChooseLevel(""),
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
@@ -153,6 +169,19 @@ final class KryoMessageCodecTest {
       assertNull(codec.decode(padded, 0, padded.length), () -> message + " with a byte more");
       assertArrayEquals(before, padded);
     }
+  }
+
+  @Test
+  void aPieceOfALevelLiesWithinTheLargestOne() {
+    int last = ProtocolLimits.MAX_OFFERED_BYTES - ProtocolLimits.MAX_LEVEL_PIECE_BYTES;
+    Object piece =
+        new ClientMessage.LevelPiece(last, new byte[ProtocolLimits.MAX_LEVEL_PIECE_BYTES]);
+    byte[] bytes = codec.encode(piece);
+    assertEquals(piece, codec.decode(bytes, 0, bytes.length));
+    assertNull(codec.decode(bytes, 0, 5), "no byte");
+    assertNull(codec.decode(Arrays.copyOf(bytes, bytes.length + 1), 0, bytes.length + 1));
+    bytes[4]++; // the offset's last byte
+    assertNull(codec.decode(bytes, 0, bytes.length), "beyond the largest level");
   }
 
   @Test

@@ -54,7 +54,7 @@ final class StockClientsTest {
         new StatusFacts("My server", "1.2", 54_555, 54_777, stepper.server().rooms());
     query = new StatusQuery(LOOPBACK, 0, facts);
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, stepper.server().rooms(), new DataFolder(folder));
+    RoomCommands.add(commands, stepper.server().rooms(), new DataFolder(folder), null);
     commands.add(
         new Command("long", "", "", words -> "0123456789".repeat(1_000) + "end", Command.NONE));
     Path file = Files.writeString(folder.resolve("rcon.password"), PASSWORD);

@@ -66,7 +66,7 @@ final class PageRig implements AutoCloseable {
     stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
     stepper.join(HOSTILE, Impairment.NONE, new Bot(Stepper.SEED + 1));
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, stepper.server().rooms(), data);
+    RoomCommands.add(commands, stepper.server().rooms(), data, null);
     AccessLists lists = new AccessLists(data, false, InstantSource.system());
     watch = AccessCommands.add(commands, lists, stepper.server().rooms());
     Logins logins = Logins.begin(System::nanoTime);

@@ -15,6 +15,7 @@ import carom.client.edit.LevelEditor;
 import carom.client.edit.LevelSource;
 import carom.client.edit.Points;
 import carom.client.edit.Tool;
+import carom.client.link.LevelSender;
 import carom.sim.level.Level;
 import carom.text.Json;
 import com.badlogic.gdx.Gdx;
@@ -70,6 +71,7 @@ public final class EditScreen extends ScreenAdapter {
     "Home   whole level",
     "Ctrl+S   save    Ctrl+R   read anew",
     "F5   play    Shift+F5   from the mouse",
+    "F6   send to a server that takes levels",
     "Esc   back, step by step    F1   this"
   };
 
@@ -94,6 +96,8 @@ public final class EditScreen extends ScreenAdapter {
   private boolean fitted;
   private boolean panning;
   private boolean asks;
+  private boolean asksWhere;
+  private LevelSender sender;
   private boolean help;
   private boolean control; // as the last key event left it; the frame's end is too late
   private boolean shift;
@@ -205,6 +209,37 @@ public final class EditScreen extends ScreenAdapter {
     }
   }
 
+  /** Asks to which server the level goes as it is now. */
+  private void askWhere() {
+    if (sender == null && editor.problems().isEmpty()) {
+      asksWhere = true;
+    } else {
+      editor.message(
+          sender != null
+              ? sender.text()
+              : "It can't be sent: " + editor.problems().get(0).text());
+    }
+    stale = true;
+  }
+
+  private void send(String server) {
+    asksWhere = false;
+    stale = true;
+    try {
+      sender = host.send(server, editor.checked().level().source());
+    } catch (IllegalArgumentException e) {
+      editor.message(e.getMessage());
+    }
+  }
+
+  private void updateSender() {
+    if (sender != null) {
+      sender.update(System.nanoTime());
+      editor.message(sender.text());
+      sender = sender.isDone() ? null : sender;
+    }
+  }
+
   private void leave() {
     if (asksToStay()) {
       return;
@@ -257,8 +292,11 @@ public final class EditScreen extends ScreenAdapter {
         play(shift);
       } else if (key == Keys.ESCAPE) {
         escape();
-      } else if (asks) {
+      } else if (asks || asksWhere) {
         return true;
+      } else if (key == Keys.F6) {
+        stage.setKeyboardFocus(null);
+        askWhere();
       } else if (key == Keys.F1) {
         help = !help;
       } else if (control && key == Keys.S) {
@@ -341,8 +379,9 @@ public final class EditScreen extends ScreenAdapter {
 
   /** Ends what is under way: a field, a question, a drag, a tool, the selection, the editor. */
   private void escape() {
-    if (asks) {
+    if (asks || asksWhere) {
       asks = false;
+      asksWhere = false;
     } else if (help) {
       help = false;
     } else if (stage.getKeyboardFocus() instanceof TextField) {
@@ -434,6 +473,7 @@ public final class EditScreen extends ScreenAdapter {
     shift = isDown(Keys.SHIFT_LEFT, Keys.SHIFT_RIGHT);
     painter.draw();
     lookAtFile(deltaSeconds);
+    updateSender();
     boolean isDragging = Gdx.input.isButtonPressed(Buttons.LEFT);
     if (stale
         || (!isDragging && shown != editor.source())
@@ -517,6 +557,8 @@ public final class EditScreen extends ScreenAdapter {
     stage.addActor(root);
     if (asks) {
       stage.addActor(question());
+    } else if (asksWhere) {
+      stage.addActor(servers());
     }
     root.validate();
     pane.validate();
@@ -554,6 +596,7 @@ public final class EditScreen extends ScreenAdapter {
     bar.add(widgets.button("-", () -> bots(-1))).width(BAR_HEIGHT - 10);
     bar.add(widgets.button("+", () -> bots(1))).width(BAR_HEIGHT - 10);
     bar.add(widgets.button("Play  F5", () -> play(false)));
+    bar.add(widgets.button("Send", this::askWhere)).padLeft(10);
     bar.add(widgets.button("Leave", this::leave)).padLeft(10);
     return bar;
   }
@@ -636,6 +679,22 @@ public final class EditScreen extends ScreenAdapter {
     return root;
   }
 
+  /** Returns the question to which server the level goes. */
+  private Table servers() {
+    Table panel = widgets.panel();
+    panel.setTouchable(Touchable.enabled);
+    panel.defaults().space(8).growX();
+    panel.add(widgets.heading("Send " + file.path().getFileName() + " to")).row();
+    for (String server : host.servers()) {
+      panel.add(widgets.button(server, () -> send(server))).row();
+    }
+    panel.add(widgets.button("Not now", this::escape)).row();
+    Table root = new Table();
+    root.setFillParent(true);
+    root.add(panel);
+    return root;
+  }
+
   @Override
   public void resize(int width, int height) {
     viewport.setUnitsPerPixel(1 / widgets.scale());
@@ -645,6 +704,9 @@ public final class EditScreen extends ScreenAdapter {
 
   @Override
   public void dispose() {
+    if (sender != null) {
+      sender.close();
+    }
     stage.dispose();
     hud.dispose();
   }

@@ -57,7 +57,7 @@ final class LevelsPage implements Page {
     if (!problem.isEmpty()) {
       into.add(widgets.problem(problem)).row();
     }
-    List<Path> files = files();
+    List<Path> files = files(folder);
     if (files.isEmpty()) {
       Label none = widgets.muted("No level yet in " + folder.toAbsolutePath());
       none.setWrap(true);
@@ -84,7 +84,7 @@ final class LevelsPage implements Page {
   }
 
   /** Returns the level files of the folder by their names. */
-  private List<Path> files() {
+  static List<Path> files(Path folder) {
     try (Stream<Path> files = Files.list(folder)) {
       return files
           .filter(file -> file.getFileName().toString().endsWith(ENDING))

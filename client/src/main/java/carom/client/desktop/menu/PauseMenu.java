@@ -7,12 +7,12 @@ import com.badlogic.gdx.utils.Disposable;
 import java.util.List;
 
 /**
- * The menu over a game, which goes on meanwhile: back to the game, settings, the best, rooms, a
- * link for friends, leave, quit. Render thread only.
+ * The menu over a game, which goes on meanwhile: back to the game, settings, the best, levels of
+ * players, rooms, a link for friends, leave, quit. Render thread only.
  */
 public final class PauseMenu implements Disposable {
   /** Receives what the player chooses. */
-  public interface Actions {
+  public interface Actions extends PlayersLevelsPage.Host {
     /** Closes the menu: keys are the game's again. */
     void resume();
 
@@ -43,6 +43,7 @@ public final class PauseMenu implements Disposable {
   private final MenuStage stage = new MenuStage(this::submit, this::back);
   private final Page settings;
   private final Page best;
+  private final Page levels;
 
   /** The page that shows, or null for the choice among them. */
   private Page page;
@@ -56,6 +57,7 @@ public final class PauseMenu implements Disposable {
     this.actions = actions;
     settings = new SettingsPage(widgets, host, stage, () -> stale = true);
     best = new BestPage(widgets, actions::askForBest, actions::best);
+    levels = new PlayersLevelsPage(widgets, actions);
   }
 
   /** Returns whether the menu shows and takes keys. */
@@ -112,6 +114,7 @@ public final class PauseMenu implements Disposable {
       panel.add(widgets.button("Back to the game", this::close)).row();
       panel.add(widgets.button("Settings", () -> turn(settings))).row();
       panel.add(widgets.button("The best", () -> turn(best))).row();
+      panel.add(widgets.button("Levels of players", () -> turn(levels))).row();
       panel.add(widgets.button("Rooms", this::rooms)).row();
       if (!actions.playLink().isEmpty()) {
         panel.add(widgets.button("Play in a browser", this::link)).row();
