@@ -78,6 +78,7 @@ public final class GameClient implements AutoCloseable {
   private final Connection connection;
   private final MessageExchange messages;
   private final RoomListing rooms = new RoomListing();
+
   /** Most levels of players that are kept of a server's list. */
   private static final int MAX_LEVELS = 1_024;
 

@@ -436,8 +436,7 @@ public final class ServerMain implements Callable<Integer> {
     if (fleet != null) {
       FleetConsole.add(commands, fleet.member());
     }
-    RoomChangeCommands.add(
-        commands, server, server.rooms(), flags.dataFolder(), server.uploads());
+    RoomChangeCommands.add(commands, server, server.rooms(), flags.dataFolder(), server.uploads());
     return commands;
   }
 

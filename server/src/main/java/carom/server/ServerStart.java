@@ -340,12 +340,12 @@ final class ServerStart {
               uploads == null ? known : uploads.library(known), steps::incrementAndGet);
       Server opened =
           new Server(
-          config,
-          rooms,
-          library,
-          transport,
-          System::nanoTime,
-          fleet == null ? room -> Ownership.alone() : fleet.member()::ownershipOf);
+              config,
+              rooms,
+              library,
+              transport,
+              System::nanoTime,
+              fleet == null ? room -> Ownership.alone() : fleet.member()::ownershipOf);
       opened.uploads(uploads);
       return opened;
     } catch (IllegalArgumentException e) {

@@ -251,15 +251,12 @@ class ProtocolDocTest {
                         "cup", "arena", "Commons", "playing", 3, 16, 1, Map.of("skill", "low"))))));
     golden.put(
         "level-answer",
-        codec.encode(
-            new ServerMessage.LevelAnswer(1800, ServerMessage.LevelOutcome.TAKEN, "ok")));
+        codec.encode(new ServerMessage.LevelAnswer(1800, ServerMessage.LevelOutcome.TAKEN, "ok")));
     golden.put(
         "level-list",
         codec.encode(
             new ServerMessage.LevelList(
-                0,
-                true,
-                List.of(new ServerMessage.LevelEntry("Hill", "arena", "Zoë", 2, true)))));
+                0, true, List.of(new ServerMessage.LevelEntry("Hill", "arena", "Zoë", 2, true)))));
     golden.put(
         "best-lists",
         codec.encode(

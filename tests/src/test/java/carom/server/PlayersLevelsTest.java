@@ -37,7 +37,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 @Needs("processes")
 final class PlayersLevelsTest {
-  private static final long PATIENCE_NS = 60_000_000_000L;
+  private static final long PATIENCE_NS = 120_000_000_000L;
 
   @TempDir private Path folder;
   private Uploads uploads;
@@ -74,8 +74,7 @@ final class PlayersLevelsTest {
 
   private FakeClient offer(String token, int size, int packed) {
     FakeClient client = new FakeClient(rig.network.client().connect("", 0, 0));
-    client.link.send(
-        new ClientMessage.OfferLevel(Protocol.VERSION, size, packed, "Ann", token));
+    client.link.send(new ClientMessage.OfferLevel(Protocol.VERSION, size, packed, "Ann", token));
     rig.clients.add(client);
     steps(5);
     return client;

@@ -2,6 +2,7 @@ package carom.client.desktop;
 
 import carom.client.ClientConfig;
 import carom.client.GameClient;
+import carom.client.LevelSender;
 import carom.client.app.ClientOptions;
 import carom.client.app.LocalGames;
 import carom.client.desktop.edit.EditHost;
@@ -20,7 +21,6 @@ import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.UiColours;
 import carom.client.edit.EditFile;
 import carom.client.link.LanSearch;
-import carom.client.link.LevelSender;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
 import carom.client.replay.ReplayClient;

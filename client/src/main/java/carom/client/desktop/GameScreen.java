@@ -2,6 +2,7 @@ package carom.client.desktop;
 
 import carom.client.GameClient;
 import carom.client.InputSource;
+import carom.client.LevelSender;
 import carom.client.desktop.KeyHints.Hint;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.GamePicture;
@@ -18,7 +19,6 @@ import carom.client.desktop.paint.LevelPictures;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.link.ConnectionPhase;
-import carom.client.link.LevelSender;
 import carom.client.look.Action;
 import carom.client.settings.KeyAction;
 import carom.client.view.ClientView;

@@ -41,7 +41,11 @@ public final class RoomChangeCommands {
    * @param uploads levels of players, or null if the server takes none
    */
   public static void add(
-      CommandRegistry registry, RoomKeeper keeper, List<Room> rooms, DataFolder data, Uploads uploads) {
+      CommandRegistry registry,
+      RoomKeeper keeper,
+      List<Room> rooms,
+      DataFolder data,
+      Uploads uploads) {
     RoomChangeCommands all =
         new RoomChangeCommands(keeper, new RoomFinder(rooms), new LevelWords(data, uploads));
     registry.add(

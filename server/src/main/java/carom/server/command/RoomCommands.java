@@ -41,7 +41,8 @@ public final class RoomCommands {
    * @param data the server's files
    * @param uploads levels of players, or null if the server takes none
    */
-  public static void add(CommandRegistry registry, List<Room> rooms, DataFolder data, Uploads uploads) {
+  public static void add(
+      CommandRegistry registry, List<Room> rooms, DataFolder data, Uploads uploads) {
     RoomCommands all = new RoomCommands(rooms, data, uploads);
     all.addForPlayers(registry);
     all.addForMatches(registry);

@@ -18,10 +18,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets players see the other rooms and go there, and tells them the best lists and the
- * levels of players. A player who
- * changes the room keeps link, secret and name; the session ends here, and the other room begins
- * one that loads its match.
+ * Lets players see the other rooms and go there, and tells them the best lists and the levels of
+ * players. A player who changes the room keeps link, secret and name; the session ends here, and
+ * the other room begins one that loads its match.
  *
  * <p>A crash at any moment of that leaves the player one seat: in the other room if its log has the
  * arrival, or else here. The room's thread.

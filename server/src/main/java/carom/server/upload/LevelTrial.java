@@ -112,8 +112,7 @@ public final class LevelTrial {
 
   private static void most(List<String> problems, String what, int count, int most) {
     if (count > most) {
-      problems.add(
-          "it has " + what + "=" + count + ", the limit for levels of players is " + most);
+      problems.add("it has " + what + "=" + count + ", the limit for levels of players is " + most);
     }
   }
 
@@ -137,8 +136,7 @@ public final class LevelTrial {
   /** Lets players try every key, and times the ticks. */
   private static void play(List<String> problems, Level level) {
     SimulationHost s =
-        new SimulationHost(
-            Games.create(level.gameName()), level, 1, TICK_RATE, Role.AUTHORITY);
+        new SimulationHost(Games.create(level.gameName()), level, 1, TICK_RATE, Role.AUTHORITY);
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     SimRandom random = new SimRandom(1);
     List<HostPlayer> players = new ArrayList<>();

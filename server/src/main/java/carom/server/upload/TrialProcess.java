@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -19,11 +20,15 @@ final class TrialProcess implements Uploads.Judge {
   /** Heap of the process, MiB. */
   private static final int HEAP_MIB = 192;
 
+  /** Longest time of a process, however little of the processor it gets. */
+  private static final long MOST_MS = 120_000;
+
+  private static final long LOOK_MS = 50;
   private static final int MAX_VERDICT = 4_096;
   private static final int MAX_LINE = 160;
 
   /**
-   * What the trial says.
+   * The verdict of a trial.
    *
    * @param problems what is wrong, one for each line; empty if the level is good
    */
@@ -33,11 +38,15 @@ final class TrialProcess implements Uploads.Judge {
     }
   }
 
-  private final long deadlineMs;
+  private final Duration budget;
 
-  /** Creates one whose processes end after a time. */
-  TrialProcess(long deadlineMs) {
-    this.deadlineMs = deadlineMs;
+  /**
+   * Creates one whose processes are ended.
+   *
+   * @param budget time of the processor that one may take; matches may leave it little of a second
+   */
+  TrialProcess(Duration budget) {
+    this.budget = budget;
   }
 
   /** Returns the command of the process. */
@@ -71,11 +80,11 @@ final class TrialProcess implements Uploads.Judge {
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
     try {
-      if (!process.waitFor(deadlineMs, TimeUnit.MILLISECONDS)) {
+      if (!ends(process)) {
         return Verdict.bad(
             "the check takes longer than "
-                + TimeUnit.MILLISECONDS.toSeconds(deadlineMs)
-                + " s; use fewer bodies that touch");
+                + budget.toSeconds()
+                + " s of a processor; use fewer bodies that touch");
       }
     } finally {
       process.destroyForcibly();
@@ -94,6 +103,20 @@ final class TrialProcess implements Uploads.Judge {
             + "; the level may need more than "
             + HEAP_MIB
             + " MiB");
+  }
+
+  /** Waits for a process, and returns whether it ends within its time. */
+  private boolean ends(Process process) throws InterruptedException {
+    for (long waited = 0; waited < MOST_MS; waited += LOOK_MS) {
+      if (process.waitFor(LOOK_MS, TimeUnit.MILLISECONDS)) {
+        return true;
+      }
+      Duration used = process.info().totalCpuDuration().orElse(Duration.ZERO);
+      if (used.compareTo(budget) > 0) {
+        return false;
+      }
+    }
+    return false;
   }
 
   private static List<String> lines(Path verdict) throws IOException {

@@ -22,7 +22,7 @@ public record UploadedLevel(
       Pattern.compile(
           "([0-9a-f]{64})\t(\\d{1,9})\t(\\d{1,12})\t([^\t]+)\t([^\t]+)\t([^\t]+)\t([^\t]+)");
 
-  /** What follows begins a name of a level of a player where other levels have names, too. */
+  /** Begins the name of a level of a player where other levels have names, too. */
   public static final String PREFIX = "uploads/";
 
   /** Characters that names of rotations, commands and files have for themselves. */

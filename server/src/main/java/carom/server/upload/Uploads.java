@@ -12,6 +12,7 @@ import carom.text.FileErrors;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -50,10 +51,11 @@ public final class Uploads implements AutoCloseable {
   /** Most accounts and hosts of which the last offer is known. */
   private static final int MOST_KNOWN = 4_096;
 
-  private static final long DEADLINE_MS = 20_000;
+  /** Time of the processor that a check may take. */
+  private static final Duration BUDGET = Duration.ofSeconds(20);
 
   /**
-   * What came of a level.
+   * The outcome of a level that was sent.
    *
    * @param taken whether the server has it
    * @param text for the player
@@ -74,11 +76,7 @@ public final class Uploads implements AutoCloseable {
   }
 
   private record Job(
-      String account,
-      String author,
-      byte[] packed,
-      int size,
-      CompletableFuture<Outcome> outcome) {}
+      String account, String author, byte[] packed, int size, CompletableFuture<Outcome> outcome) {}
 
   private final UploadStore store;
   private final Judge trial;
@@ -98,7 +96,7 @@ public final class Uploads implements AutoCloseable {
    * @throws IOException if the folder can't be used; the message says what to do
    */
   public Uploads(Path folder, InstantSource clock, LongSupplier nanos) throws IOException {
-    this(folder, clock, nanos, new TrialProcess(DEADLINE_MS));
+    this(folder, clock, nanos, new TrialProcess(BUDGET));
   }
 
   Uploads(Path folder, InstantSource clock, LongSupplier nanos, Judge trial) throws IOException {
@@ -162,8 +160,7 @@ public final class Uploads implements AutoCloseable {
    * @param packed the packed file; not changed from now on
    * @param size of the file in bytes
    */
-  public CompletableFuture<Outcome> submit(
-      String account, String author, byte[] packed, int size) {
+  public CompletableFuture<Outcome> submit(String account, String author, byte[] packed, int size) {
     CompletableFuture<Outcome> outcome = new CompletableFuture<>();
     if (!jobs.offer(new Job(account, author, packed, size, outcome))) {
       outcome.complete(
@@ -292,9 +289,7 @@ public final class Uploads implements AutoCloseable {
 
       @Override
       public boolean isGone(String name) {
-        return name.startsWith(UploadedLevel.PREFIX)
-            ? find(name) == null
-            : otherwise.isGone(name);
+        return name.startsWith(UploadedLevel.PREFIX) ? find(name) == null : otherwise.isGone(name);
       }
     };
   }

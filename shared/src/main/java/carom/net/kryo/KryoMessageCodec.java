@@ -59,15 +59,14 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
   private static final RefusalReason[] REFUSALS = RefusalReason.values();
   private static final GoodbyeReason[] GOODBYES = GoodbyeReason.values();
+  private static final LevelOutcome[] OUTCOMES = LevelOutcome.values();
+  private static final int MAX_PORT = 65_535;
 
   static {
     Setup.ensure();
   }
 
   private final Kryo kryo = new Kryo();
-  private static final int MAX_PORT = 65_535;
-  private static final LevelOutcome[] OUTCOMES = LevelOutcome.values();
-
   private final Output output = new Output(512, ProtocolLimits.MAX_SERVER_MESSAGE_BYTES);
   private final FrameInput input = new FrameInput();
   private final int classes;

@@ -1,6 +1,6 @@
 package carom.client.desktop.edit;
 
-import carom.client.link.LevelSender;
+import carom.client.LevelSender;
 import carom.sim.level.Level;
 import java.util.List;
 

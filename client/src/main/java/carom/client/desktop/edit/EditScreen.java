@@ -1,5 +1,6 @@
 package carom.client.desktop.edit;
 
+import carom.client.LevelSender;
 import carom.client.app.LocalGames;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.menu.Widgets;
@@ -15,7 +16,6 @@ import carom.client.edit.LevelEditor;
 import carom.client.edit.LevelSource;
 import carom.client.edit.Points;
 import carom.client.edit.Tool;
-import carom.client.link.LevelSender;
 import carom.sim.level.Level;
 import carom.text.Json;
 import com.badlogic.gdx.Gdx;
@@ -215,9 +215,7 @@ public final class EditScreen extends ScreenAdapter {
       asksWhere = true;
     } else {
       editor.message(
-          sender != null
-              ? sender.text()
-              : "It can't be sent: " + editor.problems().get(0).text());
+          sender != null ? sender.text() : "It can't be sent: " + editor.problems().get(0).text());
     }
     stale = true;
   }

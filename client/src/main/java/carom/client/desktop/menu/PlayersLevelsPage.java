@@ -1,6 +1,6 @@
 package carom.client.desktop.menu;
 
-import carom.client.link.LevelSender;
+import carom.client.LevelSender;
 import carom.net.protocol.ServerMessage.LevelEntry;
 import carom.net.protocol.ServerMessage.LevelList;
 import carom.sim.level.Level;

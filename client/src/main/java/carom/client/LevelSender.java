@@ -1,6 +1,6 @@
-package carom.client.link;
+package carom.client;
 
-import carom.client.ClientConfig;
+import carom.client.link.ServerAddress;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
@@ -22,7 +22,7 @@ public final class LevelSender implements LinkHandler, AutoCloseable {
   private static final long TIMEOUT_NS = 120_000_000_000L;
 
   /** Longest silence of the server, which checks one level after the other. */
-  private static final long ANSWER_NS = 150_000_000_000L;
+  private static final long ANSWER_NS = 600_000_000_000L;
 
   private static final int AHEAD =
       ProtocolLimits.MAX_PIECES_AHEAD * ProtocolLimits.MAX_LEVEL_PIECE_BYTES;
