@@ -179,7 +179,8 @@ final class PlayersLevelsTest {
   @Test
   void garbageIsToldItsSenderAndHarmsNobody() throws Exception {
     FakeClient bob = rig.join("2", "cup");
-    ServerMessage.LevelAnswer said = send("1", "{\"game\": \"arena\"".getBytes());
+    ServerMessage.LevelAnswer said =
+        send("1", "{\"game\": \"arena\"".getBytes(StandardCharsets.UTF_8));
     assertEquals(LevelOutcome.NOT_TAKEN, said.outcome());
     assertTrue(said.text().startsWith("level:1:"), said.text());
     FakeClient nobody = offer("", 10, 10);

@@ -13,7 +13,6 @@ import carom.sim.outbox.NextMatch;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * The levels of players as those who play in the room see them, and which of them they want. A
@@ -31,7 +30,7 @@ final class LevelChoices {
   private final MatchChange changes;
 
   /** The level that each session wants. */
-  private final Map<Session, UploadedLevel> wanted = new IdentityHashMap<>();
+  private final IdentityHashMap<Session, UploadedLevel> wanted = new IdentityHashMap<>();
 
   private int match;
 

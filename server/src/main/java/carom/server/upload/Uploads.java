@@ -75,6 +75,7 @@ public final class Uploads implements AutoCloseable {
     TrialProcess.Verdict judge(Path level, Path verdict) throws IOException, InterruptedException;
   }
 
+  @SuppressWarnings("ArrayRecordComponent") // nobody compares them
   private record Job(
       String account, String author, byte[] packed, int size, CompletableFuture<Outcome> outcome) {}
 
