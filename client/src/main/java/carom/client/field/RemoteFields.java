@@ -78,7 +78,7 @@ public final class RemoteFields implements ShownFields {
     ownId = id;
     FieldValues own = playerView(id).fieldValues();
     for (int i = 0; i < schema.toldWords(Scope.PLAYER); i++) {
-      own.mirror(i, values.word(i));
+      own.copy(i, values);
     }
   }
 
@@ -92,7 +92,7 @@ public final class RemoteFields implements ShownFields {
     ownBody = id < 0 ? null : entityView(id);
     ownGeneration = generation;
     for (int i = 0; ownBody != null && i < schema.toldWords(Scope.ENTITY); i++) {
-      ownBody.fieldValues().mirror(i, values.word(i));
+      ownBody.fieldValues().copy(i, values);
     }
   }
 

@@ -11,10 +11,15 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.AreaForces;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
+import carom.sim.entity.Player;
+import carom.sim.field.EntityRef;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 
 /**
  * Chooses which entities are near a player's body:
@@ -28,6 +33,8 @@ import java.util.function.Predicate;
  *   <li>all that joints hold together with one of these, directly or through others: bodies that
  *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
  *       cut if the own body touches it, and the client holds the bodies at the cut;
+ *   <li>what fields of players, told to all near, mean: with the body of the player, and that with
+ *       it;
  *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
  *       may;
  *   <li>what {@linkplain carom.sim.Rules#move rules may move}, as far as the player sees.
@@ -40,7 +47,10 @@ import java.util.function.Predicate;
  * <p>The room's thread; allocates only to grow.
  */
 final class PredictedSetChooser {
-  /** An entity enters within this distance of the body's origin, metres: what it may touch. */
+  /**
+   * An entity enters within this distance of the body's origin, metres, or {@link
+   * carom.sim.Game#reach}: what it may touch.
+   */
   private static final float NEAR_METRES = 3;
 
   /**
@@ -82,6 +92,12 @@ final class PredictedSetChooser {
 
   private final Consumer<Joint<HostEntity>> jointVisitor = this::follow;
 
+  /** Distance as {@link #NEAR_METRES} around the own body, metres. */
+  private final float reach;
+
+  /** Words of players that mean entities and are told to all near. */
+  private final int[] references;
+
   /** True while the own body is being chosen, with all that joints tie to it. */
   private boolean choosesOwn;
 
@@ -106,6 +122,13 @@ final class PredictedSetChooser {
     this.simulation = simulation;
     this.marks = marks;
     this.mayKnow = mayKnow;
+    reach = Math.max(NEAR_METRES, Math.min(ALL_METRES, simulation.game().reach()));
+    Schema schema = simulation.schema();
+    references =
+        IntStream.range(0, schema.words(Scope.PLAYER))
+            .filter(word -> schema.field(Scope.PLAYER, word) instanceof EntityRef)
+            .filter(word -> schema.isShared(Scope.PLAYER, word))
+            .toArray();
   }
 
   /** Returns the entities chosen last, in the order of the world. */
@@ -141,15 +164,41 @@ final class PredictedSetChooser {
       addWithContacts(player.spawned(i));
     }
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
-    addClose(player.entity().body(), all ? ALL_METRES : NEAR_METRES);
+    addClose(player.entity().body(), all ? ALL_METRES : reach);
     int oldest = Math.max(0, player.spawnedCount() - FOLLOWED);
     for (int i = player.spawnedCount() - 1; i >= oldest; i--) {
       addClose(player.spawned(i).body(), NEAR_METRES);
     }
     limit = most;
+    addMeant();
     addCarriers();
     addMovable(player.entity());
     chosen.sort(simulation);
+  }
+
+  /**
+   * Adds what chosen players' fields mean, if all near are told them, and the bodies of players
+   * whose fields mean what is chosen: an input may push the one and look at it.
+   */
+  private void addMeant() {
+    if (references.length > 0) {
+      for (Player p : simulation.players()) {
+        for (int i = 0; i < references.length && p.isAlive(); i++) {
+          addMeant((HostPlayer) p, references[i]);
+        }
+      }
+    }
+  }
+
+  private void addMeant(HostPlayer p, int word) {
+    Schema schema = simulation.schema();
+    EntityRef field = (EntityRef) schema.field(Scope.PLAYER, word);
+    HostEntity meant = (HostEntity) p.get(field, schema.index(Scope.PLAYER, word));
+    if (meant != null && marks.isListed(p.entity().id())) {
+      addWithContacts(meant);
+    } else if (meant != null && marks.isListed(meant.id())) {
+      addWithContacts(p.entity());
+    }
   }
 
   /** Adds the bodies that rules may move, without what these touch: that doesn't move them. */

@@ -115,6 +115,11 @@ public final class FieldValues {
     put(index, value);
   }
 
+  /** Takes a word over from a prediction of this client, where it may mean a provisional entity. */
+  public void copy(int index, FieldValues predicted) {
+    put(index, predicted.words[index]);
+  }
+
   /**
    * Returns the value of {@link FieldStore#changes} at the last change, or 0 if nothing has changed
    * since the values were created.

@@ -81,6 +81,11 @@ public final class ArchetypeDef {
     levelFields.addAll(d.levelFields);
   }
 
+  /** Returns the name. */
+  public String name() {
+    return name;
+  }
+
   /** Returns the shapes, unmodifiable. */
   public List<Shape> shapes() {
     return Collections.unmodifiableList(shapes);
