@@ -236,6 +236,7 @@ final class ArchitectureTest {
     game("arena");
     game("cars");
     game("platformer");
+    game("playground");
     game("rockets");
     game("shooter");
     allow("carom.net.codec", "carom.physics.simd");
@@ -321,6 +322,7 @@ final class ArchitectureTest {
         "carom.sim..",
         "carom.game",
         "carom.game.cars", // looks and brains know the fields of their games
+        "carom.game.playground",
         "carom.game.rockets",
         "carom.game.shooter",
         "carom.physics..");

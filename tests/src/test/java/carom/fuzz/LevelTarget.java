@@ -43,7 +43,8 @@ final class LevelTarget implements FuzzTarget {
   public List<byte[]> seeds() throws Exception {
     List<byte[]> seeds = new ArrayList<>();
     for (String name :
-        List.of("arena", "platformer", "rockets", "shooter", "cars", "lagoon", "sluice")) {
+        List.of(
+            "arena", "platformer", "rockets", "shooter", "cars", "harbour", "lagoon", "sluice")) {
       seeds.add(Level.builtIn(name).source());
     }
     seeds.add(SMALL_LEVEL.getBytes(StandardCharsets.UTF_8));

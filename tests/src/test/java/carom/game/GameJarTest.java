@@ -75,7 +75,8 @@ class GameJarTest {
       String message = e.getMessage();
       assertTrue(
           message.contains(
-              "\"chess\" is unknown, known are [arena, cars, platformer, rockets, shooter, tag]"),
+              "\"chess\" is unknown, known are [arena, cars, platformer, playground, rockets,"
+                  + " shooter, tag]"),
           message);
       assertTrue(message.contains("a game can't be loaded: "), message);
       assertTrue(message.contains("missing.Game not found"), message);

@@ -47,7 +47,7 @@ public class GamesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "shooter"})
   void equalInputsGiveEqualHashes(String game) {
     List<Long> first = hashes(game, 11);
     assertEquals(first, hashes(game, 11));
@@ -75,7 +75,7 @@ public class GamesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "shooter"})
   void continuesBitByBitAfterRestore(String game) {
     SimulationHost s = start(game, 5, Role.AUTHORITY);
     for (int i = 0; i < 8; i++) {
@@ -110,7 +110,7 @@ public class GamesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "shooter"})
   void fiftyPlayersAtOnceStayInTheField(String game) {
     SimulationHost s = start(game, 9, Role.AUTHORITY);
     for (int i = 0; i < 50; i++) {
@@ -144,7 +144,7 @@ public class GamesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "shooter"})
   void joiningAndLeavingLeavesNothingBehind(String game) {
     SimulationHost s = start(game, 3, Role.AUTHORITY);
     run(s, 3, 10);

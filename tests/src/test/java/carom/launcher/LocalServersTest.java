@@ -60,7 +60,16 @@ final class LocalServersTest {
     assertTrue(
         levels.containsAll(
             List.of(
-                "arena", "cars", "orbit", "platformer", "quarry", "rockets", "shooter", "towers")),
+                "arena",
+                "cars",
+                "harbour",
+                "orbit",
+                "platformer",
+                "quarry",
+                "rockets",
+                "sandbox",
+                "shooter",
+                "towers")),
         "levels=" + levels);
     for (String level : levels) {
       try (LocalServer game = LocalServers.start(new GameChoice(level, 3, false), 0, 0);

@@ -126,7 +126,7 @@ class FeelScenarioTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "rockets", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "rockets", "shooter"})
   void rollingBackInEachTickChangesNothing(String game) {
     // Goal: a restored state goes on as before. Method: synctest, 8 ticks in each tick; rockets
     // that these ticks spawn and despawn are other bodies after each of them.

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class TcpOnlyScenarioTest {
   @ParameterizedTest
-  @ValueSource(strings = {"arena", "cars", "platformer", "rockets", "shooter"})
+  @ValueSource(strings = {"arena", "cars", "platformer", "playground", "rockets", "shooter"})
   void predictionsStayExactWhereUdpIsDead(String game) {
     try (Stepper stepper = Stepper.of(game)) {
       Impairment dead = Impairment.NONE.withLoss(100).withLatency(150, 30);

@@ -47,6 +47,8 @@ final class LevelCommandTest {
             "shooter",
             "cars",
             "quarry",
+            "harbour",
+            "sandbox",
             "towers")) {
       LevelCheck check = LevelCheck.of(name, Level.builtIn(name).source());
       assertEquals(List.of(), check.problems());

@@ -380,6 +380,8 @@ class LevelTest {
             "arena",
             "cars",
             "quarry",
+            "harbour",
+            "sandbox",
             "commons",
             "lagoon",
             "orbit",

@@ -1,0 +1,292 @@
+package carom.client.bots;
+
+import carom.client.field.FieldView;
+import carom.client.view.ClientView.Drawn;
+import carom.game.playground.PlaygroundFields;
+import carom.game.playground.PlaygroundFields.Contest;
+import carom.game.playground.PlaygroundGame;
+import carom.sim.entity.Input;
+import carom.sim.level.Level;
+
+/**
+ * Plays {@code playground}: carries the nearest thing into the nearest basket, piles boxes up, and
+ * hunts the star or flees with it.
+ */
+public final class PlaygroundBrain implements BotBrain {
+  /** A skill: how fast and how exactly it flies, and how long it waits between two things. */
+  public enum Strength {
+    /** Flies slowly, aims past things and drops boxes askew. */
+    WEAK(0.55f, 0.25f, 0.42f, 75),
+    /** Flies well, and drops most boxes straight. */
+    MEDIUM(0.8f, 0.12f, 0.2f, 45),
+    /** Flies as fast as it can, and builds straight. */
+    STRONG(1, 0.03f, 0.07f, 24);
+
+    private final float speed;
+    private final float error; // rad
+    private final float slack; // m by which a box may lie askew
+    private final int rest; // ticks
+
+    Strength(float speed, float error, float slack, int rest) {
+      this.speed = speed;
+      this.error = error;
+      this.slack = slack;
+      this.rest = rest;
+    }
+  }
+
+  private static final float REACH = 4.2f; // from which it grabs, m
+  private static final float HOVER = 2.7f; // over a tower, m
+  private static final float DOWN = (float) (-Math.PI / 2);
+  private static final int PATIENCE_TICKS = 240;
+  private static final int STUCK_TICKS = 75;
+  private static final int DETOUR_TICKS = 50;
+  private static final float WIDE = 40; // m within which it looks for things
+
+  private Strength strength;
+  private int waitUntil;
+  private int grabbedAt;
+  private int target = -1;
+  private int targetSince;
+  private float goalX;
+  private float goalY;
+  private float miss;
+  private float markX;
+  private float markY;
+  private int markTick;
+  private float detour; // radians
+
+  /** Creates a bot of a strength that its random numbers choose, for the service loader. */
+  public PlaygroundBrain() {}
+
+  /** Creates a bot of a strength. */
+  public PlaygroundBrain(Strength strength) {
+    this.strength = strength;
+  }
+
+  @Override
+  public String game() {
+    return "playground";
+  }
+
+  @Override
+  public void decide(Senses s, Input out) {
+    if (s.view().level() == null || !s.view().knowsFields()) {
+      return;
+    }
+    if (strength == null) {
+      strength = Strength.values()[s.random().nextInt(Strength.values().length)];
+    }
+    if (Math.abs(waitUntil - s.tick()) > 300) {
+      waitUntil = s.tick(); // another match
+    }
+    Contest contest = s.view().match().get(PlaygroundFields.CONTEST);
+    if (contest == Contest.TOWER) {
+      build(s, out);
+    } else if (contest == Contest.STAR) {
+      hunt(s, out);
+    } else {
+      carry(s, out);
+    }
+  }
+
+  // ---- baskets
+
+  private void carry(Senses s, Input out) {
+    if (holds(s)) {
+      toBasket(s, out);
+      return;
+    }
+    Drawn thing = s.view().find(target);
+    boolean isOld = s.tick() - targetSince > PATIENCE_TICKS || s.tick() < targetSince;
+    if (thing == null || isOld || !isLoose(thing)) {
+      thing = choose(s);
+      target = thing == null ? -1 : thing.id();
+      targetSince = s.tick();
+    }
+    if (thing == null) {
+      wander(s, out);
+      return;
+    }
+    fly(s, out, thing.x(), thing.y() + HOVER, 0.2f);
+    grab(s, out, thing);
+  }
+
+  /** Returns a thing that nobody made and nobody has, near the robot; a weak bot's is any. */
+  private Drawn choose(Senses s) {
+    Drawn best = null;
+    float least = WIDE;
+    for (int i = 0; i < s.view().entityCount(); i++) {
+      Drawn e = s.view().entity(i);
+      if (isLoose(e)) {
+        float cost = s.distance(e) + 6 * strength.rest * s.random().nextFloat() / 75;
+        cost += Math.max(0, s.own().y() - 3 - e.y()) * 0.3f; // those on top lie bare
+        if (cost < least) {
+          least = cost;
+          best = e;
+        }
+      }
+    }
+    return best;
+  }
+
+  private static boolean isLoose(Drawn e) {
+    String kind = e.archetype().name();
+    return e.ownerId() < 0
+        && (kind.equals("crate") || kind.equals("pebble") || kind.equals("domino"));
+  }
+
+  private void toBasket(Senses s, Input out) {
+    Level level = s.view().level();
+    float best = Float.MAX_VALUE;
+    for (Level.Placement p : level.statics()) {
+      float way = (float) Math.hypot(p.x() - s.own().x(), p.y() + 3 - s.own().y());
+      if (way < best && level.archetypes().get(p.archetype()).name().equals("basket")) {
+        best = way;
+        goalX = p.x();
+        goalY = p.y();
+      }
+    }
+    boolean isOver = Math.abs(goalX - s.own().x()) < 1.2f && s.own().y() > goalY + 2;
+    fly(s, out, goalX, goalY + (isOver ? 2.4f : 6), 0.2f);
+    out.aim(DOWN).hold(Input.ACTION, s.tick() - grabbedAt < 2 * PATIENCE_TICKS);
+  }
+
+  // ---- towers
+
+  private void build(Senses s, Input out) {
+    Level.Zone site = s.view().level().zones("site").get(0);
+    float share = (s.view().playerId() * 7 % 16 + 0.5f) / 16;
+    float x = site.minX() + 1 + share * (site.maxX() - site.minX() - 2);
+    float top = site.minY();
+    boolean moves = false;
+    for (int i = 0; i < s.view().entityCount(); i++) {
+      Drawn e = s.view().entity(i);
+      if (e.ownerId() == s.view().playerId()
+          && e.id() != s.own().id()
+          && !e.archetype().name().equals("hand")
+          && Math.abs(e.x() - x) < 0.8f) {
+        top = Math.max(top, e.y() + 0.5f);
+        moves |= Math.abs(e.velocityY()) > 0.4f;
+      }
+    }
+    int things = s.player().get(PlaygroundFields.THINGS);
+    float wantX = x + miss;
+    fly(s, out, wantX, top + HOVER, strength.slack / 3);
+    out.aim(DOWN);
+    boolean isOver =
+        Math.abs(s.own().x() - wantX) < strength.slack
+            && Math.abs(s.own().velocityX()) < 1
+            && Math.abs(s.own().y() - top - HOVER) < 0.25f;
+    if (isOver && !moves && s.tick() > waitUntil && things < PlaygroundGame.MAX_THINGS) {
+      out.hold(PlaygroundGame.MAKE, true);
+      waitUntil = s.tick() + 20 + strength.rest;
+      miss = s.random().between(-strength.slack, strength.slack);
+    }
+  }
+
+  // ---- the star
+
+  private void hunt(Senses s, Input out) {
+    Drawn star = s.nearest("star");
+    if (star == null) {
+      wander(s, out);
+      return;
+    }
+    FieldView keeper = s.view().match().get(PlaygroundFields.KEEPER);
+    if (keeper != null && keeper.reference() == s.player().reference()) {
+      flee(s, out);
+      out.aim(s.direction(star)).hold(Input.ACTION, true);
+      return;
+    }
+    fly(s, out, star.x(), star.y() + 1.5f, 0.2f);
+    boolean mayGrab = keeper == null || s.view().match().get(PlaygroundFields.SAFE) == 0;
+    if (mayGrab) {
+      grab(s, out, star);
+    } else {
+      out.aim(s.direction(star));
+    }
+  }
+
+  /** Flies from the nearest other robot, and back from the walls. */
+  private void flee(Senses s, Input out) {
+    Level.Bounds b = s.view().level().bounds();
+    Drawn own = s.own();
+    Drawn other = s.nearest("robot");
+    float x = 0.05f * ((b.minX() + b.maxX()) / 2 - own.x());
+    float y = 0.08f * ((b.minY() + b.maxY()) / 2 + 4 - own.y());
+    if (other != null) {
+      float away = Math.max(1, s.distance(other));
+      x += 8 * (own.x() - other.x()) / (away * away);
+      y += 8 * (own.y() - other.y()) / (away * away);
+    }
+    float length = Math.max(0.1f, (float) Math.hypot(x, y));
+    out.move(strength.speed * x / length, strength.speed * y / length);
+  }
+
+  // ---- hands and wings
+
+  private boolean holds(Senses s) {
+    return s.player().get(PlaygroundFields.GRABS) && s.player().get(PlaygroundFields.HELD) != null;
+  }
+
+  /** Aims at a thing, and grabs when it is near enough and time. */
+  private void grab(Senses s, Input out, Drawn thing) {
+    out.aim(s.direction(thing) + miss * strength.error * 4);
+    if (s.distance(thing) < REACH && s.tick() >= waitUntil) {
+      out.hold(Input.ACTION, true);
+      grabbedAt = s.tick();
+      if (s.tick() > waitUntil + 8) { // a key must go up before it goes down again
+        waitUntil = s.tick() + 2 + strength.rest / 2;
+        miss = s.random().between(-1, 1);
+        out.hold(Input.ACTION, holds(s));
+      }
+    }
+  }
+
+  /** Returns whether it should fly anywhere for a while, as it doesn't get on. */
+  private boolean isLost(Senses s, float away) {
+    int since = s.tick() - markTick;
+    boolean gotOn = Math.hypot(s.own().x() - markX, s.own().y() - markY) > 1;
+    if (away < 1.5f
+        || since < 0
+        || since > STUCK_TICKS + DETOUR_TICKS
+        || (gotOn && since <= STUCK_TICKS)) {
+      markX = s.own().x();
+      markY = s.own().y();
+      markTick = s.tick();
+      detour = s.random().between(0, (float) (2 * Math.PI));
+      return false;
+    }
+    return since > STUCK_TICKS;
+  }
+
+  private void wander(Senses s, Input out) {
+    Level.Bounds b = s.view().level().bounds();
+    if (s.tick() >= waitUntil || Math.hypot(goalX - s.own().x(), goalY - s.own().y()) < 2) {
+      waitUntil = s.tick() + 180;
+      goalX = s.random().between(b.minX() + 3, b.maxX() - 3);
+      goalY = s.random().between((b.minY() + b.maxY()) / 2, b.maxY() - 3);
+    }
+    fly(s, out, goalX, goalY, 1);
+  }
+
+  /** Flies to a place, over walls in between. */
+  private void fly(Senses s, Input out, float x, float y, float near) {
+    float dx = x - s.own().x();
+    float dy = y - s.own().y();
+    float away = (float) Math.hypot(dx, dy);
+    if (isLost(s, away)) {
+      out.move((float) Math.cos(detour), (float) Math.sin(detour));
+      return;
+    }
+    float share = away < near ? 0 : strength.speed * Math.min(1, away / 2) / Math.max(away, 0.01f);
+    float look = Math.min(1, 4 / Math.max(away, 0.01f));
+    if (away > 1.5f && s.isWall(look * dx, look * dy)) {
+      boolean low = s.isWall(0, 3); // something is above: out from under it
+      out.move(low ? Math.signum(dx == 0 ? 1 : dx) : 0.3f * Math.signum(dx), low ? 0 : 1);
+      return;
+    }
+    out.move(share * dx, share * dy);
+  }
+}
