@@ -12,29 +12,7 @@ import carom.sim.level.Level;
  * Plays {@code playground}: carries the nearest thing into the nearest basket, piles boxes up, and
  * hunts the star or flees with it.
  */
-public final class PlaygroundBrain implements BotBrain {
-  /** A skill: how fast and how exactly it flies, and how long it waits between two things. */
-  public enum Strength {
-    /** Flies slowly, aims past things and drops boxes askew. */
-    WEAK(0.55f, 0.25f, 0.42f, 75),
-    /** Flies well, and drops most boxes straight. */
-    MEDIUM(0.8f, 0.12f, 0.2f, 45),
-    /** Flies as fast as it can, and builds straight. */
-    STRONG(1, 0.03f, 0.07f, 24);
-
-    private final float speed;
-    private final float error; // rad
-    private final float slack; // m by which a box may lie askew
-    private final int rest; // ticks
-
-    Strength(float speed, float error, float slack, int rest) {
-      this.speed = speed;
-      this.error = error;
-      this.slack = slack;
-      this.rest = rest;
-    }
-  }
-
+public final class PlaygroundBrain extends GradedBrain {
   private static final float REACH = 4.2f; // from which it grabs, m
   private static final float HOVER = 2.7f; // over a tower, m
   private static final float DOWN = (float) (-Math.PI / 2);
@@ -57,26 +35,18 @@ public final class PlaygroundBrain implements BotBrain {
   private float detour; // radians
 
   /** Creates a bot of a strength that its random numbers choose, for the service loader. */
-  public PlaygroundBrain() {}
+  public PlaygroundBrain() {
+    this(null);
+  }
 
-  /** Creates a bot of a strength. */
+  /** Creates a bot of a strength, null for one by chance. */
   public PlaygroundBrain(Strength strength) {
-    this.strength = strength;
+    super("playground", strength);
   }
 
   @Override
-  public String game() {
-    return "playground";
-  }
-
-  @Override
-  public void decide(Senses s, Input out) {
-    if (s.view().level() == null || !s.view().knowsFields()) {
-      return;
-    }
-    if (strength == null) {
-      strength = Strength.values()[s.random().nextInt(Strength.values().length)];
-    }
+  void play(Senses s, Strength skill, Input out) {
+    strength = skill;
     if (Math.abs(waitUntil - s.tick()) > 300) {
       waitUntil = s.tick(); // another match
     }
@@ -88,6 +58,25 @@ public final class PlaygroundBrain implements BotBrain {
     } else {
       carry(s, out);
     }
+  }
+
+  private float speed() {
+    return strength.of(0.55f, 0.8f, 1);
+  }
+
+  /** Returns by how much it aims past things at most, radians. */
+  private float error() {
+    return strength.of(0.25f, 0.12f, 0.03f);
+  }
+
+  /** Returns by how much a box may lie askew, metres. */
+  private float slack() {
+    return strength.of(0.42f, 0.2f, 0.07f);
+  }
+
+  /** Returns how long it waits between two things, ticks. */
+  private int rest() {
+    return (int) strength.of(75, 45, 24);
   }
 
   // ---- baskets
@@ -119,7 +108,7 @@ public final class PlaygroundBrain implements BotBrain {
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn e = s.view().entity(i);
       if (isLoose(e)) {
-        float cost = s.distance(e) + 6 * strength.rest * s.random().nextFloat() / 75;
+        float cost = s.distance(e) + 6 * rest() * s.random().nextFloat() / 75;
         cost += Math.max(0, s.own().y() - 3 - e.y()) * 0.3f; // those on top lie bare
         if (cost < least) {
           least = cost;
@@ -172,16 +161,16 @@ public final class PlaygroundBrain implements BotBrain {
     }
     int things = s.player().get(PlaygroundFields.THINGS);
     float wantX = x + miss;
-    fly(s, out, wantX, top + HOVER, strength.slack / 3);
+    fly(s, out, wantX, top + HOVER, slack() / 3);
     out.aim(DOWN);
     boolean isOver =
-        Math.abs(s.own().x() - wantX) < strength.slack
+        Math.abs(s.own().x() - wantX) < slack()
             && Math.abs(s.own().velocityX()) < 1
             && Math.abs(s.own().y() - top - HOVER) < 0.25f;
     if (isOver && !moves && s.tick() > waitUntil && things < PlaygroundGame.MAX_THINGS) {
       out.hold(PlaygroundGame.MAKE, true);
-      waitUntil = s.tick() + 20 + strength.rest;
-      miss = s.random().between(-strength.slack, strength.slack);
+      waitUntil = s.tick() + 20 + rest();
+      miss = s.random().between(-slack(), slack());
     }
   }
 
@@ -221,7 +210,7 @@ public final class PlaygroundBrain implements BotBrain {
       y += 8 * (own.y() - other.y()) / (away * away);
     }
     float length = Math.max(0.1f, (float) Math.hypot(x, y));
-    out.move(strength.speed * x / length, strength.speed * y / length);
+    out.move(speed() * x / length, speed() * y / length);
   }
 
   // ---- hands and wings
@@ -232,12 +221,12 @@ public final class PlaygroundBrain implements BotBrain {
 
   /** Aims at a thing, and grabs when it is near enough and time. */
   private void grab(Senses s, Input out, Drawn thing) {
-    out.aim(s.direction(thing) + miss * strength.error * 4);
+    out.aim(s.direction(thing) + miss * error() * 4);
     if (s.distance(thing) < REACH && s.tick() >= waitUntil) {
       out.hold(Input.ACTION, true);
       grabbedAt = s.tick();
       if (s.tick() > waitUntil + 8) { // a key must go up before it goes down again
-        waitUntil = s.tick() + 2 + strength.rest / 2;
+        waitUntil = s.tick() + 2 + rest() / 2;
         miss = s.random().between(-1, 1);
         out.hold(Input.ACTION, holds(s));
       }
@@ -280,7 +269,7 @@ public final class PlaygroundBrain implements BotBrain {
       out.move((float) Math.cos(detour), (float) Math.sin(detour));
       return;
     }
-    float share = away < near ? 0 : strength.speed * Math.min(1, away / 2) / Math.max(away, 0.01f);
+    float share = away < near ? 0 : speed() * Math.min(1, away / 2) / Math.max(away, 0.01f);
     float look = Math.min(1, 4 / Math.max(away, 0.01f));
     if (away > 1.5f && s.isWall(look * dx, look * dy)) {
       boolean low = s.isWall(0, 3); // something is above: out from under it

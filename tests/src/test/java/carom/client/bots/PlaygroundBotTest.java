@@ -3,7 +3,6 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.bots.PlaygroundBrain.Strength;
 import carom.game.playground.PlaygroundFields;
 import carom.game.playground.PlaygroundGame;
 import carom.net.transport.Impairment;
