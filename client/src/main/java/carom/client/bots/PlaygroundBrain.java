@@ -137,13 +137,17 @@ public final class PlaygroundBrain extends GradedBrain {
       }
     }
     boolean isOver = Math.abs(goalX - s.own().x()) < 1.2f && s.own().y() > goalY + 2;
-    fly(s, out, goalX, goalY + (isOver ? 2.4f : 6), 0.2f);
+    fly(s, out, goalX, goalY + (isOver ? 2.4f : 7), 0.2f);
     out.aim(DOWN).hold(Input.ACTION, s.tick() - grabbedAt < 2 * PATIENCE_TICKS);
   }
 
   // ---- towers
 
   private void build(Senses s, Input out) {
+    if (s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
+      carry(s, out); // it has built what it can
+      return;
+    }
     Level.Zone site = s.view().level().zones("site").get(0);
     float share = (s.view().playerId() * 7 % 16 + 0.5f) / 16;
     float x = site.minX() + 1 + share * (site.maxX() - site.minX() - 2);
@@ -151,15 +155,12 @@ public final class PlaygroundBrain extends GradedBrain {
     boolean moves = false;
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn e = s.view().entity(i);
-      if (e.ownerId() == s.view().playerId()
-          && e.id() != s.own().id()
-          && !e.archetype().name().equals("hand")
-          && Math.abs(e.x() - x) < 0.8f) {
+      String kind = e.archetype().name();
+      if (Math.abs(e.x() - x) < 0.8f && !kind.equals("robot") && !kind.equals("hand")) {
         top = Math.max(top, e.y() + 0.5f);
         moves |= Math.abs(e.velocityY()) > 0.4f;
       }
     }
-    int things = s.player().get(PlaygroundFields.THINGS);
     float wantX = x + miss;
     fly(s, out, wantX, top + HOVER, slack() / 3);
     out.aim(DOWN);
@@ -167,7 +168,7 @@ public final class PlaygroundBrain extends GradedBrain {
         Math.abs(s.own().x() - wantX) < slack()
             && Math.abs(s.own().velocityX()) < 1
             && Math.abs(s.own().y() - top - HOVER) < 0.25f;
-    if (isOver && !moves && s.tick() > waitUntil && things < PlaygroundGame.MAX_THINGS) {
+    if (isOver && !moves && s.tick() > waitUntil) {
       out.hold(PlaygroundGame.MAKE, true);
       waitUntil = s.tick() + 20 + rest();
       miss = s.random().between(-slack(), slack());
