@@ -1,11 +1,14 @@
 package carom.lab.attack;
 
+import carom.client.bots.thin.ThinDoor;
+import carom.client.bots.thin.ThinPicture;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
@@ -41,6 +44,14 @@ public final class AttackMain implements Callable<Integer> {
       paramLabel = "N",
       description = "hostile addresses, each of another /24 network, default ${DEFAULT-VALUE}")
   private int addresses = 1_000;
+
+  @Option(
+      names = "--door",
+      paramLabel = "DOOR",
+      description =
+          "port that is flooded and joined: own (Carom's clients), plain (stock KryoNet) or web"
+              + " (WebSocket), default ${DEFAULT-VALUE}")
+  private AttackedDoor door = AttackedDoor.own;
 
   @Option(names = "--register", description = "they also register by UDP, without any work")
   private boolean registers;
@@ -83,6 +94,7 @@ public final class AttackMain implements Callable<Integer> {
   private String serverArgs = "";
 
   private final Map<String, Integer> reasons = new TreeMap<>();
+  private ThinDoor.Opener opener; // null: Carom's own client
   private int retries;
   private long floodBegan;
 
@@ -99,14 +111,25 @@ public final class AttackMain implements Callable<Integer> {
       new FloodTrial(flooding, ServerProcess.split(serverArgs)).run();
       return 0;
     }
+    if (door != AttackedDoor.own && (registers || works)) {
+      throw new IllegalArgumentException("--register and --work are for --door own");
+    }
     List<Connectors> attackers = new ArrayList<>();
-    try (ServerProcess server = new ServerProcess(ServerProcess.split(serverArgs))) {
+    List<String> flags = new ArrayList<>(ServerProcess.split(serverArgs));
+    int port = door.open(flags);
+    try (ServerProcess server = new ServerProcess(flags)) {
+      opener = door == AttackedDoor.own ? null : door.opener(port);
       for (int i = 0; i < 5; i++) {
-        join(server); // warms up both ends
+        if (opener == null) { // warms up both ends
+          join(server);
+        } else {
+          joinThin();
+        }
       }
       floodBegan = System.nanoTime();
       InetSocketAddress target =
-          new InetSocketAddress(InetAddress.getLoopbackAddress(), server.tcp());
+          new InetSocketAddress(
+              InetAddress.getLoopbackAddress(), opener == null ? server.tcp() : port);
       int threads = rate > 5_000 || works ? 2 : 1;
       Connectors.Effort effort =
           works
@@ -137,7 +160,7 @@ public final class AttackMain implements Callable<Integer> {
       Thread player =
           new Thread(
               () -> {
-                double took = join(server);
+                double took = opener == null ? join(server) : joinThin();
                 synchronized (tookMs) {
                   tookMs.add(took);
                 }
@@ -180,6 +203,32 @@ public final class AttackMain implements Callable<Integer> {
           reasons.merge(String.valueOf(link.closeReason()) + outcome.refused, 1, Integer::sum);
           retries++;
         }
+      }
+    }
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** Joins by a door for thin clients until the match is told; see {@link #join}. */
+  private double joinThin() {
+    long start = System.nanoTime();
+    long deadline = start + (long) (deadlineMs * NS_PER_MS);
+    while (System.nanoTime() - deadline < 0) {
+      ThinPicture picture = new ThinPicture();
+      String failed = "";
+      try (ThinDoor link = opener.open("Ann", "", picture)) {
+        while (picture.ended() == null && System.nanoTime() - deadline < 0) {
+          if (picture.player() >= 0) {
+            return (System.nanoTime() - start) / NS_PER_MS;
+          }
+          pause();
+        }
+        failed = String.valueOf(picture.ended());
+      } catch (IOException e) {
+        failed = String.valueOf(e.getMessage());
+      }
+      synchronized (reasons) {
+        reasons.merge(failed, 1, Integer::sum);
+        retries++;
       }
     }
     return Double.POSITIVE_INFINITY;
