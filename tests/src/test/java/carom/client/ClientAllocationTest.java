@@ -6,6 +6,7 @@ import carom.client.bots.Bot;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.InProcessNetwork;
 import carom.sim.level.Level;
+import carom.suite.Optimized;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.Test;
  * Goal: a frame of a client allocates next to nothing, so that a hundred bots in a process are
  * cheap.
  */
+@Optimized("measures what is allocated")
 final class ClientAllocationTest {
   private static final int WARM_UP_FRAMES = 3_000;
   private static final int FRAMES = 3_000;

@@ -7,6 +7,7 @@ import carom.client.bots.Bot;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.InProcessNetwork;
 import carom.sim.level.Level;
+import carom.suite.Optimized;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  * allocates in frames in which nothing arrives or is sent, while every entity is interpolated; the
  * smallest of several windows counts, since a class may be loaded in one.
  */
+@Optimized("measures what is allocated")
 final class FrameAllocationTest {
   private static final int WARM_UP_TICKS = 300;
   private static final int WINDOWS = 60;

@@ -15,6 +15,7 @@ import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import carom.suite.Optimized;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -24,6 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every game that ships must do. */
+@Optimized("measures what is allocated")
 public class GamesTest {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 

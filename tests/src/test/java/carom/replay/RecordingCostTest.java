@@ -10,6 +10,7 @@ import carom.sim.entity.EntityHit;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
 import carom.sim.level.Level;
+import carom.suite.Optimized;
 import java.lang.management.ManagementFactory;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.Test;
  * Goal: recording a tick, and asking what a player saw, allocate nothing. Method: the thread's own
  * count of bytes, after warm-up, the smallest of several windows.
  */
+@Optimized("measures what is allocated")
 final class RecordingCostTest {
   private static final int WINDOWS = 6;
   private static final int WINDOW_TICKS = 120;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
+import carom.suite.Optimized;
 import carom.testkit.Stepper;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * that ships; the bytes the thread allocates in the server's part of each slice, the smallest of
  * several windows, since a goal or a roster in one of them may cost a few objects.
  */
+@Optimized("measures what is allocated")
 class AllocationScenarioTest {
   private static final int PLAYERS = 20;
   private static final double MAX_BYTES_PER_TICK = 64;

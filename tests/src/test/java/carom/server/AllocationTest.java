@@ -3,6 +3,7 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.server.config.ServerConfig;
+import carom.suite.Optimized;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.Test;
  * thread allocates, without the clients' part; warm-up first, then the smallest of several windows,
  * so that a roster or a growing array in one of them doesn't count.
  */
+@Optimized("measures what is allocated")
 class AllocationTest {
   private static final int PLAYERS = 20;
   private static final int WINDOW_TICKS = 120;

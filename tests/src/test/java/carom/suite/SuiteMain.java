@@ -19,8 +19,9 @@ import picocli.CommandLine.Option;
 /**
  * Runs the tests. As many processes as there are cores run what computes, and leave the processor
  * to as many others for what {@link Needs} more than that; each takes the longest class of its kind
- * that is left. When all that is done, those that are {@link Alone} run one after another. A class
- * that ends its process or hangs is a failure with its name, and costs no other class its results.
+ * that is left, first of those that are {@link Optimized}. When all that is done, those that are
+ * {@link Alone} run one after another. A class that ends its process or hangs is a failure with its
+ * name, and costs no other class its results.
  *
  * <p>Prints each failure as it happens; lines that begin with {@code |} tell how far it is. Exits
  * with 0 if all passed, 1 if tests failed.
@@ -76,7 +77,10 @@ final class SuiteMain implements Runnable {
       if (quick) {
         all.removeIf(test -> test.part() != Part.COMPUTING || known.containsKey(test.name()));
       }
-      all.sort(Comparator.comparingDouble(test -> -known.getOrDefault(test.name(), 0.)));
+      all.sort(
+          Comparator.comparing(TestClass::optimized)
+              .reversed()
+              .thenComparingDouble(test -> -known.getOrDefault(test.name(), 0.)));
       total = all.size();
       Files.createDirectories(results);
       int cores = processes > 0 ? processes : Runtime.getRuntime().availableProcessors();
@@ -116,10 +120,16 @@ final class SuiteMain implements Runnable {
 
   private void work(Deque<TestClass> left, Path output, boolean yields) {
     WorkerProcess worker = null;
+    boolean optimized = false;
     try {
       for (TestClass next = next(left); next != null; next = next(left)) {
+        if (worker != null && next.optimized() != optimized) {
+          worker.close();
+          worker = null;
+        }
         if (worker == null) {
-          worker = new WorkerProcess(output, yields);
+          optimized = next.optimized();
+          worker = new WorkerProcess(output, yields, optimized);
         }
         ClassReport report = worker.run(next, limitSeconds, this::told);
         report.write(results);

@@ -72,7 +72,7 @@ final class SuiteWorker {
       while (true) {
         String name = in.readUTF();
         String methods = in.readUTF();
-        orders.add(new TestClass(name, methods, TestClass.Part.valueOf(in.readUTF())));
+        orders.add(new TestClass(name, methods, TestClass.Part.valueOf(in.readUTF()), false));
       }
     } catch (IOException e) { // nobody listens any more: neither this nor what tests began goes on
       ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);

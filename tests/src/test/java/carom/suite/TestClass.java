@@ -19,8 +19,12 @@ import java.util.stream.Stream;
  * @param name its full name
  * @param methods a pattern of its methods to run; empty: all
  * @param part which of these, see {@link Needs} and {@link Alone}
+ * @param optimized whether it needs the JVM's second compiler, see {@link Optimized}
  */
-record TestClass(String name, String methods, Part part) {
+record TestClass(String name, String methods, Part part, boolean optimized) {
+  /** Packages that compute for long, or call the vector kernels, which are slow otherwise. */
+  static final List<String> OPTIMIZED = List.of("carom.physics.", "carom.sim.scene.", "carom.lab.");
+
   enum Part {
     /** What isn't marked: it computes. */
     COMPUTING,
@@ -53,7 +57,10 @@ record TestClass(String name, String methods, Part part) {
         if (!Modifier.isAbstract(type.getModifiers())) {
           Set<Part> parts = EnumSet.of(part(type));
           Stream.of(type.getDeclaredMethods()).forEach(m -> parts.add(part(m, part(type))));
-          parts.forEach(part -> found.add(new TestClass(name, methods, part)));
+          boolean optimized =
+              OPTIMIZED.stream().anyMatch(name::startsWith)
+                  || type.isAnnotationPresent(Optimized.class);
+          parts.forEach(part -> found.add(new TestClass(name, methods, part, optimized)));
         }
       }
     }

@@ -35,8 +35,9 @@ final class WorkerProcess implements AutoCloseable {
    *
    * @param output the file that gets what the process prints
    * @param yields whether it leaves the processor to others that want it, where {@code nice} is
+   * @param optimized whether both compilers of the JVM work, or only the quick one
    */
-  WorkerProcess(Path output, boolean yields) throws IOException {
+  WorkerProcess(Path output, boolean yields, boolean optimized) throws IOException {
     try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       server.setSoTimeout(START_MS);
       List<String> command = new ArrayList<>();
@@ -45,6 +46,10 @@ final class WorkerProcess implements AutoCloseable {
       }
       command.add(tool("java"));
       command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+      if (!optimized) { // the kernels of the vector module would be interpreted
+        command.removeIf(flag -> flag.contains("jdk.incubator.vector"));
+        command.add("-XX:TieredStopAtLevel=1");
+      }
       command.add("-cp");
       command.add(System.getProperty("java.class.path"));
       command.add(SuiteWorker.class.getName());

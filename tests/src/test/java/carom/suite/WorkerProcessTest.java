@@ -69,7 +69,9 @@ final class WorkerProcessTest {
     List<TestEvent> told = new ArrayList<>();
     ClassReport report =
         worker.run(
-            new TestClass(type.getName(), methods, part), seconds, (r, event) -> told.add(event));
+            new TestClass(type.getName(), methods, part, false),
+            seconds,
+            (r, event) -> told.add(event));
     report.write(folder);
     assertFalse(told.isEmpty());
     return report;
@@ -81,7 +83,7 @@ final class WorkerProcessTest {
 
   @Test
   void whatPassesFailsAndIsSkippedIsTold() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
       ClassReport beside = run(worker, Mixed.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(3, beside.tests());
       assertEquals(1, beside.count(TestEvent.Kind.FAILED));
@@ -99,7 +101,7 @@ final class WorkerProcessTest {
 
   @Test
   void aTestThatEndsItsProcessFailsByNameAndTheOnesBeforeArePassed() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
       ClassReport report = run(worker, Halting.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(1, report.count(TestEvent.Kind.PASSED));
       assertEquals(1, report.count(TestEvent.Kind.FAILED));
@@ -115,7 +117,7 @@ final class WorkerProcessTest {
     String xml = "";
     // On a busy machine a class may not have begun after five seconds.
     for (int seconds = 5; !xml.contains("waitsForever") && seconds <= 80; seconds *= 4) {
-      try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true)) {
+      try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
         ClassReport report = run(worker, Hanging.class, "", TestClass.Part.COMPUTING, seconds);
         assertEquals(1, report.count(TestEvent.Kind.FAILED));
         xml = xml(Hanging.class);

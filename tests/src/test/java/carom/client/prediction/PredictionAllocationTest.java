@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.interpolation.Pose;
 import carom.fixtures.IslandRig;
+import carom.suite.Optimized;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.Test;
  * two hundred crates is predicted, confirmed by the server and drawn; no other body comes near. The
  * smallest of many windows counts: until the JIT compiles them, vectors are objects.
  */
+@Optimized("measures what is allocated")
 class PredictionAllocationTest {
   private static final int WINDOWS = 150;
   private static final int TICKS = 30;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.suite.Optimized;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.Test;
  * Goal: bytes and allocations stay where they are. Method: measured means with a baseline 100 ms
  * old, allocation counter.
  */
+@Optimized("measures what is allocated")
 class SnapshotCostTest {
 
   private static final int BODIES = 300;

@@ -13,11 +13,13 @@ import carom.sim.entity.HostEntity;
 import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
+import carom.suite.Optimized;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+@Optimized("measures what is allocated")
 class FrameCaptureTest {
   private static SimulationHost pile(int bodies) {
     Scene scene = BenchmarkScenes.pile(bodies, 20, 30);
