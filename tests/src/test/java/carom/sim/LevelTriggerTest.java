@@ -192,6 +192,23 @@ final class LevelTriggerTest {
   }
 
   @Test
+  void triggersThatSpawnForEverFillNoWorld() throws Exception {
+    SimulationHost s =
+        flying(
+            """
+            {"when": {"timer": 0.1}, "every": 0.0625, "do": [
+              {"spawn": "crate", "at": [-9, 9]}, {"spawn": "crate", "at": [-6, 9]},
+              {"spawn": "disc", "at": [-9, 5]}, {"spawn": "disc", "at": [-6, 5]}]}
+            """);
+    int most = s.level().bodies().size() + LevelRules.MAX_SPAWNED;
+    run(s, 640);
+    assertEquals(most, s.entityCount());
+    s.despawn(s.entity(most - 1));
+    run(s, 8);
+    assertEquals(most, s.entityCount(), "a place that is free is taken");
+  }
+
+  @Test
   void whatIsSaidAndWhatIsPlayedNextLeavesTheMatch() throws Exception {
     SimulationHost s =
         flying(

@@ -1,5 +1,6 @@
 package carom.server.upload;
 
+import carom.game.GameFault;
 import carom.game.GameJars;
 import carom.game.Games;
 import carom.net.protocol.ProtocolLimits;
@@ -156,7 +157,7 @@ public final class LevelTrial {
         s.step();
       }
     } catch (RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
-      problems.add("tick " + s.tick() + " with players fails: " + e);
+      problems.add("tick " + s.tick() + " with players fails: " + GameFault.describe(e));
       return;
     }
     double ms = (threads.getCurrentThreadCpuTime() - begin) / 1e6 / (TICKS - WARM);

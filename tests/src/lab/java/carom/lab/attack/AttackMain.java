@@ -209,6 +209,7 @@ public final class AttackMain implements Callable<Integer> {
   }
 
   /** Joins by a door for thin clients until the match is told; see {@link #join}. */
+  @SuppressWarnings("try") // the link is open for as long as this waits
   private double joinThin() {
     long start = System.nanoTime();
     long deadline = start + (long) (deadlineMs * NS_PER_MS);

@@ -45,7 +45,7 @@ final class BestPage implements Page {
           asked <= TRUSTED
               ? "Asking the server ..."
               : "Nobody is listed: this game keeps nothing that lasts, or nobody has gained it"
-                    + " yet.";
+                  + " yet.";
       into.add(widgets.note(why)).colspan(3).growX().row();
       return;
     }
