@@ -113,6 +113,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public float reach() {
+    return game.reach();
+  }
+
+  @Override
   public boolean looksBack() {
     return game.looksBack();
   }
@@ -231,6 +236,11 @@ public final class GuardedGame implements Game {
   @Override
   public void phase(Match s, MatchPhase now) {
     call("phase " + now.text(), s, null, now, (g, sim, none, phase) -> g.phase(sim, phase));
+  }
+
+  @Override
+  public void checkpoint(Match s, Player p, float x, float y) {
+    call("checkpoint", s, p, null, (g, sim, player, none) -> g.checkpoint(sim, player, x, y));
   }
 
   @Override

@@ -280,6 +280,15 @@ public interface Game {
   default void forces(Simulation s, Entity e) {}
 
   /**
+   * Handles a trigger of the level that says where a player comes back from now on; {@link
+   * Role#AUTHORITY} only, after the physics. Games in which nobody comes back ignore it.
+   *
+   * @param x the place, metres
+   * @param y the place, metres
+   */
+  default void checkpoint(Match m, Player p, float x, float y) {}
+
+  /**
    * Handles an entity that has entered a sensor, of the level or spawned; {@link Role#AUTHORITY}
    * only, once per visit, after the physics and before {@link #afterStep}, in the order of the
    * bodies in the world. It may do anything. What a player should notice at once belongs into

@@ -20,6 +20,7 @@ import carom.sim.level.LevelTrigger.Condition;
 import carom.sim.level.LevelTrigger.Verb;
 import carom.sim.outbox.Event;
 import carom.sim.outbox.NextMatch;
+import carom.sim.phase.Phase;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -472,6 +473,13 @@ final class LevelRules {
       case SCORE -> {
         if (player != null) {
           simulation.addScore(player, (int) a.amount());
+        }
+      }
+      case CHECKPOINT -> {
+        if (player != null) {
+          Phase outer = parts.phases.begin(Phase.AFTER_STEP); // the game may do what it may there
+          parts.game.checkpoint(simulation, player, a.x(), a.y());
+          parts.phases.end(outer);
         }
       }
       case SET, ADD -> {

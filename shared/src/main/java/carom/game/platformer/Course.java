@@ -32,6 +32,7 @@ final class Course {
   final EventKind coinEvent;
   final EventKind flagEvent;
   final EventKind fallEvent;
+  final EventKind checkpointEvent;
 
   /** The places where players begin and come back. */
   final List<Level.Spawn> places;
@@ -75,6 +76,7 @@ final class Course {
     coinEvent = s.event("coin", 0xffd166, 0.8f, "+1", Sound.CHIME, 0);
     flagEvent = s.event("flag", 0xff4d6d, 3, "+" + PlatformerGame.FLAG_POINTS, Sound.FANFARE, 0);
     fallEvent = s.event("fall", 0xef476f, 2, "", Sound.DROP, 0);
+    checkpointEvent = s.event("checkpoint", 0x06d6a0, 1.5f, "checkpoint", Sound.CHIME, 0);
     coins = s.level().spawns("coin");
     flags = s.level().spawns("flag");
     places = s.level().spawns("player");

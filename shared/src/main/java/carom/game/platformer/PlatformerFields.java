@@ -11,6 +11,7 @@ import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
+import carom.sim.field.Real;
 import java.util.List;
 
 /** The state of the platformer: what is saved, hashed and sent. */
@@ -27,6 +28,11 @@ final class PlatformerFields {
   // Of a player without a body: when and at which spawn it comes back.
   static final Countdown RESPAWN = Field.countdown("respawn").to(OWNER);
   static final Count RESPAWN_PLACE = Field.count("respawnPlace", 0, 65_535).to(NOBODY);
+
+  // Of a player who has passed a checkpoint: its place, to which the player comes back.
+  static final Flag CHECKED = Field.flag("checked").to(NOBODY);
+  static final Real CHECK_X = Field.real("checkX").to(NOBODY);
+  static final Real CHECK_Y = Field.real("checkY").to(NOBODY);
 
   // Of an account.
   static final Count WINS = Field.count("wins").of(ACCOUNT).to(ALL);
@@ -52,6 +58,9 @@ final class PlatformerFields {
         JUMPING,
         RESPAWN,
         RESPAWN_PLACE,
+        CHECKED,
+        CHECK_X,
+        CHECK_Y,
         WINS,
         BEST_MS,
         FLAG,

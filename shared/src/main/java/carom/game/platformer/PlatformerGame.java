@@ -31,7 +31,8 @@ import java.util.List;
  * {@link Runners} would see the level's geometry only.
  *
  * <p>A level needs spawns {@code player}, where players also come back, and spawns {@code coin} and
- * {@code flag}. A player who falls below the bounds is back at the nearest spawn a second later.
+ * {@code flag}. A player who falls below the bounds is back a second later: at the last checkpoint
+ * that a trigger of the level gave, or without one at the nearest spawn.
  *
  * <p>This class says what happens in which order; its parts say how.
  *
@@ -166,6 +167,11 @@ public final class PlatformerGame implements Game {
     int ms = (int) (ticks * 1_000L / m.tickRate());
     int best = p.get(PlatformerFields.BEST_MS);
     p.set(PlatformerFields.BEST_MS, best == 0 ? ms : Math.min(best, ms));
+  }
+
+  @Override
+  public void checkpoint(Match m, Player p, float x, float y) {
+    respawns.checkpoint(m, p, x, y);
   }
 
   @Override

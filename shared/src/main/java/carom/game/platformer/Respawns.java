@@ -1,5 +1,8 @@
 package carom.game.platformer;
 
+import static carom.game.platformer.PlatformerFields.CHECKED;
+import static carom.game.platformer.PlatformerFields.CHECK_X;
+import static carom.game.platformer.PlatformerFields.CHECK_Y;
 import static carom.game.platformer.PlatformerFields.RESPAWN;
 import static carom.game.platformer.PlatformerFields.RESPAWN_PLACE;
 
@@ -23,11 +26,37 @@ final class Respawns {
     giveBody(m, p, p.id() % course.places.size());
   }
 
+  /** Notes where a player comes back from now on. */
+  void checkpoint(Match m, Player p, float x, float y) {
+    if (p.get(CHECKED) && p.get(CHECK_X) == x && p.get(CHECK_Y) == y) {
+      return;
+    }
+    keep(p, x, y);
+    m.emit(course.checkpointEvent).at(x, y).by(p);
+  }
+
+  private static void keep(Player p, float x, float y) {
+    p.set(CHECKED, true);
+    p.set(CHECK_X, x);
+    p.set(CHECK_Y, y);
+  }
+
+  private void comeBack(Match m, Player p) {
+    if (!p.get(CHECKED)) {
+      giveBody(m, p, p.get(RESPAWN_PLACE));
+      return;
+    }
+    float x = p.get(CHECK_X);
+    float y = p.get(CHECK_Y);
+    giveBody(m, p, x, y);
+    keep(p, x, y); // a new body has new fields
+  }
+
   /** Gives players who have waited long enough a body. */
   void bringBack(Match m) {
     for (Player p : m.players()) {
       if (!p.isAlive() && p.get(RESPAWN) == 0) {
-        giveBody(m, p, p.get(RESPAWN_PLACE));
+        comeBack(m, p);
       }
     }
   }
@@ -63,12 +92,16 @@ final class Respawns {
   /** Gives a player a body at a spawn, above any player who stands there already. */
   private void giveBody(Match m, Player p, int place) {
     Level.Spawn spot = course.places.get(place);
+    giveBody(m, p, spot.x(), spot.y());
+  }
+
+  private void giveBody(Match m, Player p, float x, float lowest) {
     p.resetFields();
-    float y = spot.y();
-    for (int i = 0; i < 5 && !isFree(m, spot.x(), y); i++) {
+    float y = lowest;
+    for (int i = 0; i < 5 && !isFree(m, x, y); i++) {
       y += PlatformerGame.PLAYER_HEIGHT + 0.1f;
     }
-    m.spawn(course.player(p.id()), spot.x(), y, 0, p);
+    m.spawn(course.player(p.id()), x, y, 0, p);
   }
 
   private static boolean isFree(Match m, float x, float y) {

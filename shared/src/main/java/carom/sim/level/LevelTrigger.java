@@ -147,6 +147,8 @@ public record LevelTrigger(
     TELEPORT,
     /** Gives points to the visitor's player. */
     SCORE,
+    /** Says where the visitor's player comes back. */
+    CHECKPOINT,
     /** Sets a field of the match or of the visitor's player. */
     SET,
     /** Adds to a field of the match or of the visitor's player. */
@@ -192,7 +194,7 @@ public record LevelTrigger(
     public boolean needsVisitor() {
       return switch (verb) {
         case REMOVE, IMPULSE, TELEPORT -> body == VISITOR;
-        case SCORE -> true;
+        case SCORE, CHECKPOINT -> true;
         case SET, ADD -> name.startsWith("player.");
         default -> false;
       };

@@ -66,6 +66,7 @@ final class TriggerReader {
     VERBS.put("impulse", List.of("on"));
     VERBS.put("teleport", List.of("on"));
     VERBS.put("score", List.of());
+    VERBS.put("checkpoint", List.of());
     VERBS.put("set", List.of("to"));
     VERBS.put("add", List.of("by"));
     VERBS.put("notice", List.of());
@@ -240,6 +241,7 @@ final class TriggerReader {
         at = vector(value, MAX_COORDINATE);
         body = target(node.fields.get("on"));
       }
+      case CHECKPOINT -> at = vector(value, MAX_COORDINATE);
       case SCORE -> amount = integer(node, kind, 0, -1000, 1000);
       case SET -> {
         name = field(value, SCOPES);

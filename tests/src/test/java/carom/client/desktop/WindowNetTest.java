@@ -205,7 +205,7 @@ final class WindowNetTest {
 
     /** Requires that it ends by itself and that nothing failed. */
     void requireSound(Thread bots) throws Exception {
-      assertTrue(process.waitFor(150, TimeUnit.SECONDS), this::output);
+      assertTrue(process.waitFor(280, TimeUnit.SECONDS), this::output);
       assertEquals(0, process.exitValue(), this::output);
       assertTrue(bots.isAlive(), "the bots play");
       List<String> failures =

@@ -111,6 +111,34 @@ class PlatformerGameTest {
   }
 
   @Test
+  void whoFallsComesBackAtTheLastCheckpointOfTheLevel() {
+    String pole =
+        ",{\"name\":\"pole\",\"sensor\":true,\"at\":[6,1],"
+            + "\"shape\":{\"type\":\"box\",\"width\":0.4,\"height\":2}}";
+    String trigger =
+        "],\"triggers\":[{\"when\":{\"enter\":\"pole\",\"who\":\"player\"},"
+            + "\"do\":{\"checkpoint\":[6.5,0.75]}}";
+    SimulationHost s = standing(pole, trigger);
+    assertEquals(0, afterAFall(s), 0.1f, "no checkpoint yet");
+    s.player(0).input().move(1, 0);
+    while (body(s).x() < 9) {
+      s.step();
+    }
+    s.player(0).input().move(0, 0);
+    assertEquals(6.5f, afterAFall(s), 0.1f);
+    assertEquals(6.5f, afterAFall(s), 0.1f, "once more with another body");
+  }
+
+  /** Lets the player fall out of the level. Returns where it is when it has come back. */
+  private static float afterAFall(SimulationHost s) {
+    s.player(0).entity().teleport(-12, -9, 0);
+    run(s, 2);
+    assertFalse(s.player(0).isAlive());
+    run(s, 70);
+    return body(s).x();
+  }
+
+  @Test
   void aJumpPressedJustBeforeLandingCounts() {
     SimulationHost s = level(0, 3, "", "");
     s.join("ann");
