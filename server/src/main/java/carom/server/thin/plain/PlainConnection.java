@@ -49,6 +49,7 @@ final class PlainConnection implements Entrance.Guest {
   private final KryoOutput out = new KryoOutput();
   private int sent;
   private long progressNs;
+  private boolean saidLast;
   private boolean ended;
 
   // The door's thread only.
@@ -324,7 +325,7 @@ final class PlainConnection implements Entrance.Guest {
    */
   int tell(List<ThinNews> news) {
     synchronized (out) {
-      if (ended) {
+      if (ended || saidLast) {
         return 0;
       }
       int bytes = 0;
@@ -349,7 +350,7 @@ final class PlainConnection implements Entrance.Guest {
   /** Sends a message that is encoded already; any thread. */
   boolean send(byte[] bytes, int length) {
     synchronized (out) {
-      if (ended || isFull()) {
+      if (ended || saidLast || isFull()) {
         return false;
       }
       out.fixed(length);
@@ -433,8 +434,7 @@ final class PlainConnection implements Entrance.Guest {
     synchronized (out) {
       if (!ended) {
         PlainEncoder.registerUdp(out, id); // without it KryoNet doesn't listen
-        encoder.encode(out, new ThinServerMessage.Refused(reason.name(), text));
-        flush();
+        sayLast(new ThinServerMessage.Refused(reason.name(), text));
       }
     }
     leave(text, System.nanoTime());
@@ -449,10 +449,19 @@ final class PlainConnection implements Entrance.Guest {
       return;
     }
     to.gone(why);
-    tell(
-        List.of(
-            new ThinNews(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why))));
+    synchronized (out) {
+      if (!ended) {
+        sayLast(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why));
+      }
+    }
     leave(why, System.nanoTime());
+  }
+
+  /** Says why it is over. What the room tells just now isn't sent any more. With the lock. */
+  private void sayLast(ThinServerMessage message) {
+    encoder.encode(out, message);
+    saidLast = true;
+    flush();
   }
 
   /** Begins the end: what waits still goes out; the door's thread. */
