@@ -125,7 +125,10 @@ abstract class AccountStoreContract {
         assertTrue(store.write(write(stay, true, 3, 1, 2)));
       }
       assertEquals(List.of("find2"), ids(store.find("find2", 5)));
-      assertEquals(List.of("find1", "find2"), ids(store.find("aNN", 5)).subList(0, 2));
+      List<String> sameName = ids(store.find("aNN", 1_000)); // with those of other tests
+      assertEquals(
+          List.of("find1", "find2"),
+          sameName.stream().filter(account -> account.startsWith("find")).toList());
       AccountStore.KnownValue wins =
           store.find("find1", 5).get(0).values().stream()
               .filter(value -> value.field().equals("wins"))
