@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.physics.math.Trig;
+import carom.suite.Optimized;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Numbers side by side give the bits that they give one after the other. */
+@Optimized("compares vector kernels with scalar code")
 class ColumnLanesTest {
   private static final int BATCHES = 3_000;
 
