@@ -123,11 +123,6 @@ public final class PlaygroundGame implements Game {
   }
 
   @Override
-  public float reach() {
-    return BEAM;
-  }
-
-  @Override
   public MatchClock clock() {
     return CLOCK;
   }
