@@ -113,11 +113,6 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public float reach() {
-    return game.reach();
-  }
-
-  @Override
   public boolean looksBack() {
     return game.looksBack();
   }

@@ -74,15 +74,6 @@ public interface Game {
   }
 
   /**
-   * Returns how far from its body a player's {@link #input} looks at other bodies and pushes them,
-   * metres. Clients predict what is that near. A larger one costs them and the server more; what is
-   * below 3 counts as 3, and above 15 as 15.
-   */
-  default float reach() {
-    return 3;
-  }
-
-  /**
    * Returns whether the game calls {@link Match#asSeenBy}. If true, the simulation remembers all
    * poses of the last quarter of a second.
    */

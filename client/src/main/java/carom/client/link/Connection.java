@@ -160,6 +160,7 @@ public final class Connection implements LinkHandler {
     }
     traffic.begin();
     link = transport.connect(address.host(), address.tcpPort(), address.udpPort());
+    listener.playPage(address.host(), null);
     progress();
   }
 
@@ -452,6 +453,7 @@ public final class Connection implements LinkHandler {
     stop();
     address = fleet.standbyAddress();
     link = fleet.takeLink();
+    listener.playPage(address.host(), null);
     ServerMessage.Welcome first = fleet.takeWelcome();
     fleet.leaveStandby();
     traffic.begin();

@@ -40,7 +40,7 @@ public interface ConnectionListener {
   /** Receives a line of the server for the player. */
   void notice(String text);
 
-  /** Receives where the server's page for browsers is. */
+  /** Receives where the server's page for browsers is; null with a new link, until it tells. */
   void playPage(String host, ServerMessage.PlayPage page);
 
   /** Receives the pace at which time passes from now on, and whether views are narrow. */

@@ -137,7 +137,7 @@ public final class ClientView {
 
   String room = "";
   String playHost = "";
-  PlayPage playPage = new PlayPage(0, false);
+  PlayPage playPage;
   int matchNumber;
   List<RoomEntry> rooms = List.of();
   List<BestList> best;
@@ -456,7 +456,7 @@ public final class ClientView {
    * http://play.example.org:8080/play#room=cup}; empty if the server has no page for that.
    */
   public String playLink() {
-    if (playPage.port() == 0) {
+    if (playPage == null) {
       return "";
     }
     String host = playHost.indexOf(':') < 0 ? playHost : "[" + playHost + "]";

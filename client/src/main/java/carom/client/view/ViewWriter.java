@@ -93,7 +93,7 @@ public final class ViewWriter {
     view.best = lists;
   }
 
-  /** Sets where browsers play. */
+  /** Sets where browsers play; null if the server has no page. */
   public void playPage(String host, PlayPage page) {
     view.playHost = host;
     view.playPage = page;

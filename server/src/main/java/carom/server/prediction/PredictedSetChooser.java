@@ -47,10 +47,7 @@ import java.util.stream.IntStream;
  * <p>The room's thread; allocates only to grow.
  */
 final class PredictedSetChooser {
-  /**
-   * An entity enters within this distance of the body's origin, metres, or {@link
-   * carom.sim.Game#reach}: what it may touch.
-   */
+  /** An entity enters within this distance of the body's origin, metres: what it may touch. */
   private static final float NEAR_METRES = 3;
 
   /**
@@ -92,9 +89,6 @@ final class PredictedSetChooser {
 
   private final Consumer<Joint<HostEntity>> jointVisitor = this::follow;
 
-  /** Distance as {@link #NEAR_METRES} around the own body, metres. */
-  private final float reach;
-
   /** Words of players that mean entities and are told to all near. */
   private final int[] references;
 
@@ -122,7 +116,6 @@ final class PredictedSetChooser {
     this.simulation = simulation;
     this.marks = marks;
     this.mayKnow = mayKnow;
-    reach = Math.max(NEAR_METRES, Math.min(ALL_METRES, simulation.game().reach()));
     Schema schema = simulation.schema();
     references =
         IntStream.range(0, schema.words(Scope.PLAYER))
@@ -164,7 +157,7 @@ final class PredictedSetChooser {
       addWithContacts(player.spawned(i));
     }
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
-    addClose(player.entity().body(), all ? ALL_METRES : reach);
+    addClose(player.entity().body(), all ? ALL_METRES : NEAR_METRES);
     int oldest = Math.max(0, player.spawnedCount() - FOLLOWED);
     for (int i = player.spawnedCount() - 1; i >= oldest; i--) {
       addClose(player.spawned(i).body(), NEAR_METRES);

@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
+import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.match.RoomContext;
 import carom.server.metrics.Counter;
@@ -140,7 +141,7 @@ final class Arrivals {
       departures.part(session.detach(nowNs), "resumed by another link", nowNs);
     }
     session.attach(a.link(), a.epoch());
-    a.link().send(page());
+    tellPage(a.link());
     if (a.match() == room.match().info().number()) {
       session.play(room.simulation().tick());
     } else {
@@ -169,10 +170,12 @@ final class Arrivals {
     }
   }
 
-  private ServerMessage.PlayPage page() {
+  private void tellPage(Link link) {
     Integer port = room.config().get(ServerConfig.PLAY_PORT);
-    boolean encrypted = room.config().get(ServerConfig.TLS_CERT) != null;
-    return new ServerMessage.PlayPage(port == null ? 0 : port, encrypted);
+    if (port != null) {
+      boolean encrypted = room.config().get(ServerConfig.TLS_CERT) != null;
+      link.send(new ServerMessage.PlayPage(port, encrypted));
+    }
   }
 
   private void greet(Session session, String text) {

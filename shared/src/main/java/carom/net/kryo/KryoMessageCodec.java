@@ -365,13 +365,13 @@ public final class KryoMessageCodec implements MessageCodec {
   private static final class PlayPageSerializer extends MessageSerializer<PlayPage> {
     @Override
     protected void write(Output out, PlayPage m) {
-      writeInt(out, "port", m.port(), 0, MAX_PORT);
+      writeInt(out, "port", m.port(), 1, MAX_PORT);
       out.writeByte(m.encrypted() ? 1 : 0);
     }
 
     @Override
     protected PlayPage read(Input in) {
-      int port = readInt(in, "port", 0, MAX_PORT);
+      int port = readInt(in, "port", 1, MAX_PORT);
       return new PlayPage(port, inRange("encrypted", in.readByte(), 0, 1) == 1);
     }
   }

@@ -369,9 +369,9 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * Tells where the server's page is on which browsers play.
+   * Tells where the server's page is on which browsers play. A server without a page sends none.
    *
-   * @param port 1..65,535, at the address by which the client came; 0 without a page
+   * @param port 1..65,535, at the address by which the client came
    * @param encrypted whether it is reached by https
    */
   record PlayPage(int port, boolean encrypted) implements ServerMessage {}
