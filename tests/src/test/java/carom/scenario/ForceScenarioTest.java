@@ -201,12 +201,12 @@ class ForceScenarioTest {
   void theLagoonIsPredictedAsWellAsAnyLevel() throws Exception {
     // Goal: the level that ships with areas. Method: a bot alone, which nothing surprises; then
     // with another one, whose inputs nobody knows before they arrive. What two bots do to each
-    // other differs much from pair to pair (92 to 100 %), so many pairs count together: 97.8 % with
-    // -Dcarom.lagoon.pairs=40, since these bots go for each other.
+    // other differs much from pair to pair (92 to 100 %), so many pairs count together;
+    // -Dcarom.lagoon.pairs=30 for more.
     double alone = rightInLagoon(0, 4, false);
     assertTrue(alone >= 99.9, "right=" + alone);
     double together = rightInLagoon(10, 10 + PAIRS, true);
-    assertTrue(together >= 97.5, "right=" + together);
+    assertTrue(together >= 98, "right=" + together);
   }
 
   /** Returns how much of the lagoon a client predicts right, %, as a mean over some runs. */

@@ -41,11 +41,14 @@ class SpawnScenarioTest {
   /** Longest time for which a picture may fade out, s. */
   private static final double FADE_SECONDS = 0.16;
 
-  /** Returns a player that walks in circles and shoots around itself. */
+  /**
+   * Returns a player that flies in circles and shoots around itself. At full speed it would graze
+   * the crates, which the server's blasts have just pushed.
+   */
   private static InputSource shooter(int phase) {
     return (view, tick, out) -> {
       float way = (tick + phase) * 0.02f;
-      out.move((float) Math.cos(way), (float) Math.sin(way));
+      out.move(0.875f * (float) Math.cos(way), 0.875f * (float) Math.sin(way));
       out.aim((float) Math.IEEEremainder((tick + phase) * 0.011f, 2 * Math.PI));
       out.hold(Input.ACTION, true);
     };
@@ -195,8 +198,7 @@ class SpawnScenarioTest {
       assertTrue(watch.mostAlive() <= Origin.MOST_PER_PLAYER, about);
       assertEquals(0, watch.latestTicks(), about);
       assertTrue(watch.matchedPercent() >= 97, about);
-      // Recoil drives the ship about, and blasts, which are the server's word, push what follows.
-      assertTrue(watch.rightPercent() >= 93, about);
+      assertTrue(watch.rightPercent() >= 95, about);
       requireNothingLeft(stepper, about);
       assertEquals(0, ann.view().predictedWorld().player(0).spawnedCount(), about);
       assertTrue(ann.view().predictedWorld().entityCapacity() < 80, about);
