@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
  */
 @Optimized("measures what is allocated")
 final class ClientAllocationTest {
-  private static final int WARM_UP_FRAMES = 3_000; // four times as many where JIT threads starve
+  private static final int WARM_UP_FRAMES = 3_000; // up to 9,000 where compiler threads starve
   private static final int FRAMES = 3_000;
 
   @Test

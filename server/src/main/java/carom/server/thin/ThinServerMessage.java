@@ -9,6 +9,11 @@ import java.util.Map;
  * instead.
  */
 public sealed interface ThinServerMessage {
+  /** Returns whether it says why the link closes, so that nothing may follow it. */
+  default boolean isLast() {
+    return this instanceof Refused || this instanceof Goodbye || this instanceof Redirect;
+  }
+
   /**
    * Admits a client, before its first {@link Match}.
    *

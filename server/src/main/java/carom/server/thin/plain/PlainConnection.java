@@ -325,16 +325,17 @@ final class PlainConnection implements Entrance.Guest {
    */
   int tell(List<ThinNews> news) {
     synchronized (out) {
-      if (ended || saidLast) {
+      if (ended) {
         return 0;
       }
       int bytes = 0;
-      for (int i = 0; i < news.size(); i++) {
+      for (int i = 0; i < news.size() && !saidLast; i++) {
         if (isFull()) {
           return -1;
         }
         int before = out.length();
         encoder.encode(out, news.get(i).message());
+        saidLast = news.get(i).message().isLast();
         bytes += out.length() - before;
       }
       flush(); // once, as each call of the system costs more than a message
@@ -434,7 +435,9 @@ final class PlainConnection implements Entrance.Guest {
     synchronized (out) {
       if (!ended) {
         PlainEncoder.registerUdp(out, id); // without it KryoNet doesn't listen
-        sayLast(new ThinServerMessage.Refused(reason.name(), text));
+        encoder.encode(out, new ThinServerMessage.Refused(reason.name(), text));
+        saidLast = true;
+        flush();
       }
     }
     leave(text, System.nanoTime());
@@ -449,19 +452,10 @@ final class PlainConnection implements Entrance.Guest {
       return;
     }
     to.gone(why);
-    synchronized (out) {
-      if (!ended) {
-        sayLast(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why));
-      }
-    }
+    tell(
+        List.of(
+            new ThinNews(new ThinServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR.name(), why))));
     leave(why, System.nanoTime());
-  }
-
-  /** Says why it is over. What the room tells just now isn't sent any more. With the lock. */
-  private void sayLast(ThinServerMessage message) {
-    encoder.encode(out, message);
-    saidLast = true;
-    flush();
   }
 
   /** Begins the end: what waits still goes out; the door's thread. */

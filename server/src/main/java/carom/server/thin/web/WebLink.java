@@ -85,6 +85,7 @@ final class WebLink extends ThinLink {
   private long progressNs;
   private long heardNs;
   private long closedNs;
+  private boolean saidLast;
   private boolean hungUp;
   private final int[] sentTick = new int[WINDOW];
   private final long[] sentNs = new long[WINDOW];
@@ -270,7 +271,7 @@ final class WebLink extends ThinLink {
       return false;
     }
     synchronized (lock) {
-      if (hungUp) {
+      if (hungUp || saidLast) {
         return false;
       }
       if (unsent == 0 || unsentBytes + text.length <= MAX_UNSENT_BYTES) {
@@ -280,6 +281,7 @@ final class WebLink extends ThinLink {
           binary = binary == null ? null : new BinaryForm();
           firstUnseen = nextSent;
         }
+        saidLast = message.isLast();
         send(ByteBuffer.wrap(text), true, false);
         counters().messageBytesOut.addAndGet(text.length);
         return true;
@@ -346,7 +348,7 @@ final class WebLink extends ThinLink {
   @Override
   protected int draw(ThinSnapshot snapshot) {
     synchronized (lock) {
-      if (hungUp || !channel.isOpen()) {
+      if (hungUp || saidLast || !channel.isOpen()) {
         return 0;
       }
       // The snapshot before has left, so nobody reads these bytes any more.

@@ -123,6 +123,51 @@ final class WebLinkTest {
     }
   }
 
+  private static ThinNews event(int kind) {
+    return new ThinNews(new ThinServerMessage.Event(kind, 9, 1, -0.5f, 2, -1, 3, -1, 0));
+  }
+
+  @Test
+  void eventsThatAreToldTogetherAreOneTextAndKeepTheirOrder() throws Exception {
+    try (WebPlayer player = new WebPlayer(port.tcpPort())) {
+      WebLink link = accept();
+      ThinNews chat = new ThinNews(new ThinServerMessage.Chat(1, "hi", false));
+      link.news(List.of(event(0), event(1), chat, event(2)));
+      Json two = player.await("events").fields.get("events");
+      assertEquals(2, two.items.size());
+      assertEquals(0, two.items.get(0).fields.get("kind").number);
+      assertEquals(-0.5, two.items.get(1).fields.get("y").number);
+      assertEquals("hi", player.await("chat").fields.get("text").text);
+      assertEquals(1, player.await("events").fields.get("events").items.size());
+    }
+  }
+
+  @Test
+  void nothingFollowsTheLastWordsWhateverIsToldMeanwhile() throws Exception {
+    for (int round = 0; round < 20; round++) {
+      try (WebPlayer player = new WebPlayer(port.tcpPort())) {
+        WebLink link = accept();
+        Thread room =
+            new Thread(
+                () -> {
+                  while (link.news(List.of(event(0)))) {
+                    Thread.onSpinWait();
+                  }
+                });
+        room.start();
+        player.await("events");
+        player.say("[]");
+        assertTrue(player.awaitEnd() != null, "round=" + round);
+        room.join();
+        String last = "";
+        for (Object text; (text = player.told.poll()) != null; ) {
+          last = (String) text;
+        }
+        assertTrue(last.startsWith("{\"refused\""), "round=" + round + " last=" + last);
+      }
+    }
+  }
+
   private static void awaitRoom(WebLink link) throws InterruptedException {
     while (!link.takesSnapshot()) {
       Thread.sleep(1);
