@@ -1,5 +1,6 @@
 package carom.physics.simd;
 
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -100,8 +101,10 @@ public final class VectorModule {
         add(set);
       }
       return found;
-    } catch (ReflectiveOperationException | LinkageError e) {
+    } catch (ClassNotFoundException | InvocationTargetException | LinkageError e) {
       return null;
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(name + " must be public, with a public constructor", e);
     }
   }
 }

@@ -24,7 +24,7 @@ import jdk.incubator.vector.VectorSpecies;
  * those of the engine box vectors. For the same reason, these kernels have neither such calls on
  * floats nor masks; {@code lanewise} on a vector just loaded is unambiguous.
  */
-final class VectorColumns extends ColumnLanes {
+public final class VectorColumns extends ColumnLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_PREFERRED;
   private static final int WIDTH = LANE.length();
 

@@ -12,7 +12,6 @@ import io.nayuki.qrcodegen.QrCode;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
-import java.net.URI;
 import java.util.Collections;
 import java.util.List;
 
@@ -23,7 +22,7 @@ import java.util.List;
 final class LinkPage implements Page {
   private static final int QUIET = 4; // modules of white around the code, by the standard
   private static final float SIDE = 232;
-  private static final String LOOPBACK = "localhost|127\\..*|\\[::1\\]";
+  private static final String LOOPBACK = "//(localhost|127\\.[0-9.]+|\\[::1]):";
 
   private final Widgets widgets;
   private final String link;
@@ -86,16 +85,12 @@ final class LinkPage implements Page {
 
   /** Returns a link to this machine with an address that others in its network reach. */
   private static String fromOutside(String link) {
-    URI uri = URI.create(link);
-    if (!uri.getHost().matches(LOOPBACK)) {
-      return link;
-    }
     try {
       List<NetworkInterface> networks = Collections.list(NetworkInterface.getNetworkInterfaces());
       for (NetworkInterface network : networks) {
         for (InetAddress address : Collections.list(network.getInetAddresses())) {
           if (address.isSiteLocalAddress() && network.isUp()) {
-            return link.replace("//" + uri.getHost() + ":", "//" + address.getHostAddress() + ":");
+            return link.replaceFirst(LOOPBACK, "//" + address.getHostAddress() + ":");
           }
         }
       }
