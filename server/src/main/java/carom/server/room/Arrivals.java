@@ -172,7 +172,7 @@ final class Arrivals {
 
   private void tellPage(Link link) {
     Integer port = room.config().get(ServerConfig.PLAY_PORT);
-    if (port != null) {
+    if (port != null && port > 0) { // 0 is any port: none is known
       boolean encrypted = room.config().get(ServerConfig.TLS_CERT) != null;
       link.send(new ServerMessage.PlayPage(port, encrypted));
     }
