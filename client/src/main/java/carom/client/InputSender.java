@@ -48,7 +48,7 @@ final class InputSender {
   private final long[] sentNs = new long[RING];
   private final int[] sentTick = new int[RING];
   private final int[] sentSequence = new int[RING];
-  private final boolean[] sentHold = new boolean[RING];
+  private final int[] sentHold = new int[RING];
   private int sequence;
 
   private int lastSentTick;
@@ -171,7 +171,7 @@ final class InputSender {
     sentNs[slot] = nowNs;
     sentTick[slot] = tick;
     sentSequence[slot] = sequence;
-    sentHold[slot] = holds;
+    sentHold[slot] = datagram.holdTicks;
     lastSentTick = tick;
     hasNewAck = false;
     sequence = (sequence + 1) & 0xffff;
@@ -211,10 +211,13 @@ final class InputSender {
     if (newer) {
       feedbackSequence = feedback.sequence;
       ackedTick = Math.max(ackedTick, sentTick[slot]);
-      heldTick = sentHold[slot] ? Math.max(heldTick, sentTick[slot]) : heldTick;
+      heldTick = sentHold[slot] > 0 ? Math.max(heldTick, sentTick[slot]) : heldTick;
       if (feedback.holdMs < 255) {
         stats.roundTrip(Math.max(0, (arrivedNs - sentNs[slot]) / 1e6 - feedback.holdMs));
       }
+    }
+    if (prediction != null && sentTick[slot] < serverTick) {
+      prediction.missed(serverTick, sentTick[slot], sentHold[slot]);
     }
     boolean clamped = feedback.margin <= -32 || feedback.margin >= 31;
     int margin = clamped ? sentTick[slot] - serverTick : feedback.margin;

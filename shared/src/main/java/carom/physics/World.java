@@ -833,7 +833,8 @@ public final class World<T> {
    *
    * @param rows lists the bodies, see {@link ExactRows#addBody}; receives their state except for
    *     what belongs to the using program
-   * @return number of contacts left out
+   * @return number of contacts left out, and of listed bodies of which a call ended a contact since
+   *     the last step: what may have acted on them without being in the rows
    */
   public int readRows(ExactRows rows) {
     refuseDuringStep("readRows");

@@ -150,7 +150,6 @@ final class ScriptedServer {
     void applyInput(int tick) {
       if (inputTick[tick & 255] == tick) {
         last = inputs[tick & 255];
-        feedback.consumedTick = tick;
       } else if (newestInput >= 0) {
         missing++;
       }

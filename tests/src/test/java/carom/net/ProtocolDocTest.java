@@ -330,7 +330,6 @@ class ProtocolDocTest {
     feedback.present = true;
     feedback.sequence = 500;
     feedback.holdMs = 12;
-    feedback.consumedTick = 101;
     feedback.margin = -3;
     golden.put("snapshot-new", send(encoder, decoder, feedback, null));
     encoder.receiveAck(decoder.ackSequence(), decoder.ackBits());
@@ -388,7 +387,7 @@ class ProtocolDocTest {
     ring.end();
     OwnState own = new OwnState();
     own.setBody(5, 255, 1, 2, 1, 0, 0, 0, 0);
-    own.relayed().add(9);
+    own.relay(9, 200);
     NearState near = own.near();
     near.begin(0x0123_4567_89ab_cdefL);
     near.add(5 | 255 << 16);

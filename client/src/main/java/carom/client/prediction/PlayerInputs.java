@@ -7,20 +7,33 @@ import carom.sim.entity.Input;
 import java.util.Arrays;
 
 /**
- * The inputs of all players by tick: the own ones as they were sampled, those of others as the
- * server relayed them, and predicted ones until it does. One prediction's; allocates once for each
- * other player.
+ * The inputs of all players by tick: the own ones as they were sampled, or as the server replaced
+ * them when they came too late; those of others as the server relayed them, and predicted ones
+ * until it does. One prediction's; allocates once for each other player.
  */
 final class PlayerInputs {
-  /** Time for which a player's last known input is repeated, fading, ticks. */
-  private static final int REPEAT_TICKS = 30;
-
   private final SimulationHost simulation;
   private final HostPlayer player;
   private final SnapshotRecords records;
   private final int mask;
-  private final long[] own;
+
+  /** Time for which a player's last known input is repeated, fading, ticks; as the server does. */
+  private final int holdTicks;
+
+  private final long[] sampled;
   private final int[] ownTick;
+
+  /**
+   * The own inputs that the server takes, as far as is known: those sampled, or what replaced them.
+   */
+  private final long[] own;
+
+  /** The own input each tick was simulated with. */
+  private final long[] ownUsed;
+
+  /** The newest tick whose own input is replaced. */
+  private int newestReplaced = -1;
+
   private long last;
   private int first = Integer.MAX_VALUE;
   private int newest = -1;
@@ -40,13 +53,17 @@ final class PlayerInputs {
     this.player = player;
     this.records = records;
     mask = ticks - 1;
+    holdTicks = Input.holdTicks(simulation.tickRate());
+    sampled = new long[ticks];
     own = new long[ticks];
+    ownUsed = new long[ticks];
     ownTick = new int[ticks];
     Arrays.fill(ownTick, -1);
   }
 
   /** Stores the own input of a tick. */
   public void put(int tick, long input) {
+    sampled[tick & mask] = input;
     own[tick & mask] = input;
     ownTick[tick & mask] = tick;
     last = input;
@@ -54,12 +71,28 @@ final class PlayerInputs {
     newest = Math.max(newest, tick);
   }
 
+  /**
+   * Replaces the own input of a tick at which it had not arrived. The server took the newest one
+   * that had, while that held, and then let it fade.
+   *
+   * @param newest tick of that input, before {@code tick}
+   * @param held ticks for which it was said to hold
+   */
+  public void replace(int tick, int newest, int held) {
+    if (!has(tick) || !has(newest)) {
+      return;
+    }
+    int missing = Math.max(0, tick - newest - held);
+    own[tick & mask] = Input.faded(sampled[newest & mask], missing, holdTicks);
+    newestReplaced = Math.max(newestReplaced, tick);
+  }
+
   /** Returns whether the own input of exactly this tick was sampled. */
   public boolean has(int tick) {
     return ownTick[tick & mask] == tick;
   }
 
-  /** Returns the own input of a tick; for a tick without one, the last input. */
+  /** Returns the own input that counts in a tick; for a tick without one, the last input. */
   public long at(int tick) {
     return has(tick) ? own[tick & mask] : tick < first ? 0 : last;
   }
@@ -73,10 +106,13 @@ final class PlayerInputs {
    * Sets the inputs of all players for a tick.
    *
    * @param input the own one
-   * @param repeat whether others get the inputs with which the tick was simulated before
+   * @param repeat whether all get the inputs with which the tick was simulated before
    */
   public void apply(int tick, long input, boolean repeat) {
-    player.input().unpack(input);
+    if (!repeat) {
+      ownUsed[tick & mask] = input;
+    }
+    player.input().unpack(ownUsed[tick & mask]);
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       HostPlayer other = simulation.player(id);
       if (other == null || other == player) {
@@ -115,7 +151,22 @@ final class PlayerInputs {
       return relayed.at(id, tick);
     }
     int known = relayed.newestBefore(id, tick);
-    return known < 0 ? 0 : Input.faded(relayed.at(id, known), tick - known, REPEAT_TICKS);
+    return known < 0 ? 0 : Input.faded(relayed.at(id, known), tick - known, holdTicks);
+  }
+
+  /**
+   * Returns whether the real inputs of all players that have a body are known for a tick. What is
+   * pressed in the next one depends on them.
+   */
+  public boolean areKnown(int tick) {
+    RelayedInputs relayed = records.inputs();
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      HostPlayer other = simulation.player(id);
+      if (other != null && other != player && other.entity() != null && !relayed.knows(id, tick)) {
+        return false;
+      }
+    }
+    return has(tick);
   }
 
   /**
@@ -123,19 +174,17 @@ final class PlayerInputs {
    * far as they are known by now: none of them was predicted.
    */
   public boolean areConfirmed(int tick) {
-    RelayedInputs relayed = records.inputs();
+    if (!areKnown(tick) || ownUsed[tick & mask] != own[tick & mask]) {
+      return false;
+    }
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       HostPlayer other = simulation.player(id);
-      if (other == null || other == player || other.entity() == null) {
-        continue;
-      }
-      if (used[id] == null
-          || !relayed.knows(id, tick)
-          || relayed.at(id, tick) != used[id][tick & mask]) {
+      boolean hasBody = other != null && other != player && other.entity() != null;
+      if (hasBody && (used[id] == null || records.inputs().at(id, tick) != used[id][tick & mask])) {
         return false;
       }
     }
-    return has(tick);
+    return true;
   }
 
   /**
@@ -147,7 +196,7 @@ final class PlayerInputs {
    */
   public int firstMispredicted(int after, int upTo) {
     RelayedInputs relayed = records.inputs();
-    int first = Integer.MAX_VALUE;
+    int first = firstReplaced(after, Math.min(upTo, newestReplaced));
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       if (used[id] == null || simulation.player(id) == null || simulation.player(id) == player) {
         continue;
@@ -161,5 +210,14 @@ final class PlayerInputs {
       }
     }
     return first;
+  }
+
+  private int firstReplaced(int after, int upTo) {
+    for (int tick = after + 1; tick <= upTo; tick++) {
+      if (has(tick) && ownUsed[tick & mask] != own[tick & mask]) {
+        return tick;
+      }
+    }
+    return Integer.MAX_VALUE;
   }
 }

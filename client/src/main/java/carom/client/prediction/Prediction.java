@@ -197,6 +197,18 @@ public final class Prediction {
   }
 
   /**
+   * Notes that the own input of a tick hadn't arrived when the server took one for it, so that the
+   * next tick goes on from what it took. Call it for each snapshot that tells so.
+   *
+   * @param tick the snapshot's tick
+   * @param newest tick of the newest input that had arrived
+   * @param held ticks for which that one was said to hold
+   */
+  public void missed(int tick, int newest, int held) {
+    inputs.replace(tick, newest, held);
+  }
+
+  /**
    * Compares the server's newest state with the prediction of its tick, and corrects what differs.
    * Call it once per frame when a newer own state has arrived.
    *

@@ -296,6 +296,7 @@ final class Reconciler {
    */
   private boolean isReproducible(int equalTick) {
     if (equalTick < 0
+        || !inputs.areKnown(equalTick)
         || timeline.correctedTick() > equalTick
         || stateTick - equalTick >= Timeline.RING) {
       return false;

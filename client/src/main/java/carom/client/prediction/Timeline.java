@@ -71,7 +71,7 @@ final class Timeline {
    * Simulates the next tick and saves it.
    *
    * @param input the own input
-   * @param repeat whether other players repeat the inputs of the last time
+   * @param repeat whether all players repeat the inputs of the last time
    */
   void step(long input, boolean repeat) {
     inputs.apply(tick + 1, input, repeat);

@@ -604,12 +604,4 @@ public final class ServerConfig extends Settings<ServerConfig> {
     Integer rate = get(SNAPSHOT_RATE);
     return rate == null ? get(TICK_RATE) : rate;
   }
-
-  /**
-   * Returns the number of ticks for which the server repeats the last input when none arrives, half
-   * a second. Then the input is neutral.
-   */
-  public int inputHoldTicks() {
-    return get(TICK_RATE) / 2;
-  }
 }

@@ -58,6 +58,7 @@ public final class PredictedSet {
   private boolean mustTellAll;
 
   private boolean hasOutsideCause;
+  private boolean wasReached;
   private boolean hasHiddenCause;
 
   /** Changes of the match's fields, which rules read, at the last capture. */
@@ -240,14 +241,16 @@ public final class PredictedSet {
     long ruled = simulation.hasRules() ? simulation.fieldChanges(Scope.MATCH) : 0;
     hasOutsideCause |= ruled != matchChanges; // maybe by what the client doesn't have
     matchChanges = ruled;
-    hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
+    boolean reached = state.cutJoints() > 0 || chooser.isReachedFromOutside();
+    hasOutsideCause |= state.leaks() > 0 || reached || wasReached; // maybe until within this tick
+    wasReached = reached;
   }
 
   private void relayInputs(HostPlayer player, OwnState out) {
     out.relayed().clear();
     for (int i = 0; i < chooser.chosen().count(); i++) {
       HostPlayer owner = chooser.chosen().get(i).owner();
-      relayChooser.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
+      relayChooser.offer(owner, player, capturedTick, simulation.tick(), out);
     }
   }
 

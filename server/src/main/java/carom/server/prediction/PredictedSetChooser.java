@@ -11,7 +11,6 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.AreaForces;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
-import carom.sim.entity.Player;
 import carom.sim.field.EntityRef;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -167,6 +166,7 @@ final class PredictedSetChooser {
     addCarriers();
     addMovable(player.entity());
     chosen.sort(simulation);
+    reachedFromOutside = isReached();
   }
 
   /**
@@ -174,24 +174,40 @@ final class PredictedSetChooser {
    * whose fields mean what is chosen: an input may push the one and look at it.
    */
   private void addMeant() {
-    if (references.length > 0) {
-      for (Player p : simulation.players()) {
-        for (int i = 0; i < references.length && p.isAlive(); i++) {
-          addMeant((HostPlayer) p, references[i]);
+    for (int id = 0; references.length > 0 && id < simulation.playerCapacity(); id++) {
+      HostPlayer p = simulation.player(id);
+      for (int i = 0; i < references.length && p != null && p.isAlive(); i++) {
+        HostEntity meant = meant(p, references[i]);
+        if (meant != null && marks.isListed(p.entity().id())) {
+          addWithContacts(meant);
+        } else if (meant != null && marks.isListed(meant.id())) {
+          addWithContacts(p.entity());
         }
       }
     }
   }
 
-  private void addMeant(HostPlayer p, int word) {
+  private HostEntity meant(HostPlayer p, int word) {
     Schema schema = simulation.schema();
     EntityRef field = (EntityRef) schema.field(Scope.PLAYER, word);
-    HostEntity meant = (HostEntity) p.get(field, schema.index(Scope.PLAYER, word));
-    if (meant != null && marks.isListed(p.entity().id())) {
-      addWithContacts(meant);
-    } else if (meant != null && marks.isListed(meant.id())) {
-      addWithContacts(p.entity());
+    return (HostEntity) p.get(field, schema.index(Scope.PLAYER, word));
+  }
+
+  /** Returns whether something that isn't chosen acts on what is, or is what its input looks at. */
+  private boolean isReached() {
+    boolean reached = false;
+    for (int i = 0; i < simulation.areas().carriers() && !reached; i++) {
+      simulation.areas().reach(i, box);
+      reached = !marks.isListed(simulation.areas().carrierId(i)) && isOneWithin(box);
     }
+    for (int id = 0; references.length > 0 && id < simulation.playerCapacity(); id++) {
+      HostPlayer p = simulation.player(id);
+      for (int i = 0; i < references.length && p != null && p.isAlive() && !reached; i++) {
+        HostEntity meant = meant(p, references[i]);
+        reached = meant != null && marks.isListed(meant.id()) != marks.isListed(p.entity().id());
+      }
+    }
+    return reached;
   }
 
   /** Adds the bodies that rules may move, without what these touch: that doesn't move them. */
@@ -210,14 +226,12 @@ final class PredictedSetChooser {
   /** Adds the entities whose areas act on a chosen one, or soon may. */
   private void addCarriers() {
     AreaForces<HostEntity> areas = simulation.areas();
-    reachedFromOutside = false;
     for (int i = 0; i < areas.carriers(); i++) {
       HostEntity carrier = simulation.entity(areas.carrierId(i));
       areas.reach(i, box);
       box.grow(CARRIER_METRES * (marks.isMember(carrier.id()) ? LEAVE : 1));
       if (!marks.isListed(carrier.id()) && isOneWithin(box)) {
         addWithContacts(carrier);
-        reachedFromOutside |= !marks.isListed(carrier.id());
       }
     }
   }
@@ -238,8 +252,8 @@ final class PredictedSetChooser {
   }
 
   /**
-   * Returns whether an area may act on a chosen entity whose carrier isn't among them, because
-   * there was no room or the game hides it.
+   * Returns whether an area or an input may act on a chosen entity whose carrier or player isn't
+   * among them, because there was no room, the game hides it, or it began since they were chosen.
    */
   boolean isReachedFromOutside() {
     return reachedFromOutside;
@@ -261,6 +275,7 @@ final class PredictedSetChooser {
       marks.list(e.id());
       chosen.add(e);
     }
+    reachedFromOutside = isReached();
     return true;
   }
 

@@ -1,7 +1,6 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
-import carom.net.snapshot.frame.PlayerSet;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import java.util.Arrays;
@@ -25,6 +24,9 @@ final class RelayChooser {
   /** The last tick at which a player's inputs were relayed, by player id. */
   private int[] lastTick = {};
 
+  /** The tick since which they were relayed without a pause, by player id. */
+  private int[] firstTick = {};
+
   RelayChooser(Predicate<HostEntity> mayKnow) {
     this.mayKnow = mayKnow;
   }
@@ -38,8 +40,8 @@ final class RelayChooser {
    * @param tick the tick of this capture
    * @param out receives it; at most {@link OwnState#MAX_RELAYED}
    */
-  void offer(HostPlayer owner, HostPlayer to, int before, int tick, PlayerSet out) {
-    if (owner == null || owner == to || out.size() >= OwnState.MAX_RELAYED) {
+  void offer(HostPlayer owner, HostPlayer to, int before, int tick, OwnState out) {
+    if (owner == null || owner == to || out.relayed().size() >= OwnState.MAX_RELAYED) {
       return;
     }
     if (owner.entity() != null && !mayKnow.test(owner.entity())) {
@@ -48,8 +50,9 @@ final class RelayChooser {
     grow(owner.id());
     int last = lastTick[owner.id()];
     if (last == before || tick - last > OwnState.RELAYED_TICKS) {
+      firstTick[owner.id()] = last == before ? firstTick[owner.id()] : tick;
       lastTick[owner.id()] = tick;
-      out.add(owner.id());
+      out.relay(owner.id(), firstTick[owner.id()]);
     }
   }
 
@@ -58,6 +61,7 @@ final class RelayChooser {
       int size = lastTick.length;
       lastTick = Arrays.copyOf(lastTick, Math.max(2 * size, id + 1));
       Arrays.fill(lastTick, size, lastTick.length, NEVER);
+      firstTick = Arrays.copyOf(firstTick, lastTick.length);
     }
   }
 }

@@ -15,7 +15,7 @@ import java.util.Locale;
  * <p>A client whose input stays the same need not repeat it: it says for how long the newest one
  * holds, see {@link #hold}, and is believed until it says something else.
  *
- * <p>When a tick's input is missing, the last one is repeated, because a player who held a key
+ * <p>When a tick's input is missing, the newest one is repeated, because a player who held a key
  * probably still holds it; its movement fades, see {@link Input#faded}, and after {@code holdTicks}
  * missing in a row the player counts as neutral.
  *
@@ -114,7 +114,7 @@ public final class InputBuffer {
       if (tickOf[slot] == tick) {
         isHeld[slot] = false; // its further copies are duplicates
         if (packed[slot] == input) {
-          noteNewest(tick);
+          noteLate(tick, input);
           return Arrival.CONFIRMED;
         }
         missing++;
@@ -123,7 +123,7 @@ public final class InputBuffer {
         isHeld[slot] = false;
       }
       tooLate++;
-      noteNewest(tick);
+      noteLate(tick, input);
       return Arrival.TOO_LATE;
     }
     if (ahead > windowTicks) {
@@ -144,7 +144,8 @@ public final class InputBuffer {
 
   /**
    * Lets an input count for the ticks after its own, too, until an input for a later tick arrives.
-   * Call after {@link #offer} of that input; ignored when later ones are known.
+   * It fades from the last of them on. Call after {@link #offer} of that input; ignored when later
+   * ones are known.
    *
    * @param tick of the input
    * @param input that goes on
@@ -155,15 +156,30 @@ public final class InputBuffer {
       holdFrom = tick;
       holdUntil = tick + Math.min(SIZE, ticks);
       held = input;
+      if (tick - lastConsumedTick <= 0) {
+        missingInARow = Math.max(0, lastConsumedTick - holdUntil);
+      }
     }
   }
 
-  private void noteNewest(int tick) {
-    if (!anyArrived || tick - newestTick > 0) {
+  /**
+   * Lets a late input be repeated if it is the newest: it says more of the next tick than others.
+   */
+  private void noteLate(int tick, long input) {
+    if (noteNewest(tick)) {
+      last = input;
+      missingInARow = lastConsumedTick - tick;
+    }
+  }
+
+  private boolean noteNewest(int tick) {
+    boolean isNewest = !anyArrived || tick - newestTick > 0;
+    if (isNewest) {
       newestTick = tick;
       anyArrived = true;
       arrivalMargin = tick - lastConsumedTick - 1;
     }
+    return isNewest;
   }
 
   /**

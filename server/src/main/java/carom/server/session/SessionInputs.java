@@ -47,7 +47,8 @@ final class SessionInputs {
   /** Creates the inputs of a session that none has arrived for. */
   SessionInputs(ServerConfig config, Counters counters) {
     this.counters = counters;
-    buffer = new InputBuffer(config.get(ServerConfig.INPUT_WINDOW_TICKS), config.inputHoldTicks());
+    int holdTicks = Input.holdTicks(config.get(ServerConfig.TICK_RATE));
+    buffer = new InputBuffer(config.get(ServerConfig.INPUT_WINDOW_TICKS), holdTicks);
   }
 
   /**
@@ -59,7 +60,6 @@ final class SessionInputs {
     buffer.reset(tick);
     viewDelay = 0;
     feedback.present = false;
-    feedback.consumedTick = tick;
     idleTicks = 0;
   }
 
@@ -110,9 +110,6 @@ final class SessionInputs {
     }
     player.viewDelay(player.isSpectator() ? 0 : viewDelay);
     player.input().unpack(player.isSpectator() ? NEUTRAL : input);
-    if (!buffer.lastWasMissing()) {
-      feedback.consumedTick = tick;
-    }
     feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, buffer.arrivalMarginTicks()));
     count();
   }

@@ -61,8 +61,6 @@ final class DatagramHead {
     }
     f.sequence = c.plain(f.sequence, SEQUENCE_BITS);
     f.holdMs = c.plain(Math.max(0, Math.min(MAX_HOLD, f.holdMs)), HOLD_BITS);
-    boolean current = c.flag(f.consumedTick == tick);
-    f.consumedTick = current ? tick : c.plain(f.consumedTick, Integer.SIZE);
     int margin = Math.max(MIN_MARGIN, Math.min(-1 - MIN_MARGIN, f.margin));
     int shift = Integer.SIZE - MARGIN_BITS;
     f.margin = c.plain(margin, MARGIN_BITS) << shift >> shift;

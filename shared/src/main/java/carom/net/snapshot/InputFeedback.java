@@ -1,8 +1,8 @@
 package carom.net.snapshot;
 
 /**
- * Tells a client how its inputs arrive at the server, for round-trip time and clock. Mutable,
- * reused.
+ * Tells a client how its inputs arrive at the server, for round-trip time, clock and prediction: an
+ * input of the snapshot's tick that no datagram up to this one had was replaced. Mutable, reused.
  */
 public final class InputFeedback {
 
@@ -18,9 +18,6 @@ public final class InputFeedback {
    */
   public int holdMs;
 
-  /** Tick of the newest input that was consumed; one repeated for want of another doesn't count. */
-  public int consumedTick;
-
   /**
    * Number of ticks that the newest buffered input is ahead of the snapshot's tick, -32..31. If
    * negative, inputs come too late by that many ticks.
@@ -35,7 +32,6 @@ public final class InputFeedback {
     present = other.present;
     sequence = other.sequence;
     holdMs = other.holdMs;
-    consumedTick = other.consumedTick;
     margin = other.margin;
   }
 }

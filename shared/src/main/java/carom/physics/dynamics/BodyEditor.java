@@ -24,6 +24,7 @@ public final class BodyEditor {
   private final PairFinder pairs;
   private final Sleeping sleeping;
   private final Refilter refilter;
+  private final EndedContacts ended;
   private final BodyMaker maker;
 
   /** True once a static body was moved by hand. */
@@ -37,7 +38,8 @@ public final class BodyEditor {
       ContactTable contacts,
       PairFinder pairs,
       Sleeping sleeping,
-      Refilter refilter) {
+      Refilter refilter,
+      EndedContacts ended) {
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
@@ -46,6 +48,7 @@ public final class BodyEditor {
     this.pairs = pairs;
     this.sleeping = sleeping;
     this.refilter = refilter;
+    this.ended = ended;
     maker = new BodyMaker(bodies, parts);
   }
 
@@ -297,6 +300,11 @@ public final class BodyEditor {
         }
       } finally {
         sleeping.resume();
+      }
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.isOfParts(row, body, from, to)) {
+        ended.add(row);
       }
     }
     contacts.order().removeParts(body, from, to);

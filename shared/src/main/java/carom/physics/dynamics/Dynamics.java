@@ -94,6 +94,7 @@ public final class Dynamics {
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
   private final ColdWelds coldWelds = new ColdWelds(joints, bodies);
   private final JointTransfer jointTransfer = new JointTransfer(bodies, joints);
+  private final EndedContacts ended = new EndedContacts(contacts);
   private final RowTransfer transfer;
 
   /** Scratch: the bodies of rows that sleep there. */
@@ -110,7 +111,8 @@ public final class Dynamics {
   public Dynamics(Settings settings) {
     this.settings = settings;
     parts = new ShapeTable(settings);
-    transfer = new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer);
+    transfer =
+        new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer, ended);
     pairs = new PairFinder(settings, bodies, active, parts, contacts, joints::mayTouch, parallel);
     continuous = new ContinuousCollision(pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
@@ -118,7 +120,8 @@ public final class Dynamics {
         new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
     eventStage = new EventStage(settings, bodies, parts, contacts);
     refilter = new Refilter(contacts, pairs);
-    editor = new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter);
+    editor =
+        new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter, ended);
     queries = new PartQueries(pairs, parts);
     substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parallel);
   }
@@ -251,6 +254,7 @@ public final class Dynamics {
    */
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     begins(StepStage.BEGIN);
+    ended.clear();
     pairs.setTimeStep(dt);
     sleeping.resume();
     int few = pairs.fewMovableParts();

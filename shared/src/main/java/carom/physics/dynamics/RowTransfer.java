@@ -26,6 +26,7 @@ final class RowTransfer {
   private final SleepingContacts asleep;
   private final BodyContacts links;
   private final JointTransfer joints;
+  private final EndedContacts ended;
 
   /** By slot: the place of a listed body, or -1; all are -1 between calls. */
   private int[] placeOf = new int[0];
@@ -48,19 +49,23 @@ final class RowTransfer {
       ContactTable awake,
       SleepingContacts asleep,
       BodyContacts links,
-      JointTransfer joints) {
+      JointTransfer joints,
+      EndedContacts ended) {
     this.store = store;
     this.parts = parts;
     this.awake = awake;
     this.asleep = asleep;
     this.links = links;
     this.joints = joints;
+    this.ended = ended;
   }
 
   /**
    * Reads the listed bodies, and the joints and contacts among them and with statics.
    *
-   * @return contacts that are left out because the other body is not listed, near misses included
+   * @return what may have acted on listed bodies in the last step and isn't among the rows:
+   *     contacts whose other body is not listed, near misses included, and bodies of contacts that
+   *     a call has ended since
    */
   int read(ExactRows rows) {
     int count = rows.bodies().count();
@@ -76,6 +81,7 @@ final class RowTransfer {
     found = 0;
     for (int i = 0; i < count; i++) {
       int body = rows.slot(i);
+      leaks += ended.has(body) ? 1 : 0;
       for (int end = links.firstEnd(body); end >= 0; end = links.nextEnd(end)) {
         find(awake, end, body, false);
       }

@@ -188,6 +188,15 @@ public final class Input {
     return steps * left / whole;
   }
 
+  /**
+   * Returns for how many ticks the last known input of a player is repeated, half a second.
+   *
+   * @param tickRate ticks a second
+   */
+  public static int holdTicks(int tickRate) {
+    return tickRate / 2;
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof Input in && in.pack() == pack();

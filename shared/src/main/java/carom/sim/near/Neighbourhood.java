@@ -255,7 +255,8 @@ public final class Neighbourhood {
   }
 
   /**
-   * Returns the number of contacts with bodies that were not listed, as of the last {@link #read}.
+   * Returns the number of contacts with bodies that were not listed, and of bodies that lost a
+   * contact by a call since the step, as of the last {@link #read}.
    */
   public int leaks() {
     return leaks;

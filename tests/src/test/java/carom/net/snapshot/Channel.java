@@ -43,7 +43,6 @@ final class Channel {
   int jitterTicks;
   int budget = Integer.MAX_VALUE;
   boolean withOwn = true;
-  boolean alwaysConsumed;
 
   /** What the client holds of earlier ticks is the level's word, which may be wrong. */
   int firstTold = Integer.MIN_VALUE;
@@ -95,7 +94,6 @@ final class Channel {
     feedback.present = scene.tick % 7 != 0;
     feedback.sequence = scene.tick & 0xffff;
     feedback.holdMs = scene.tick % 256;
-    feedback.consumedTick = alwaysConsumed || scene.tick % 5 != 0 ? scene.tick : scene.tick - 9;
     feedback.margin = scene.tick % 64 - 32;
     Scene.own(scene.tick, own);
     encoder.begin(feedback, withOwn ? own : null, budget);
@@ -154,8 +152,6 @@ final class Channel {
     if (decoder.feedback().present) {
       assertEquals(tick & 0xffff, decoder.feedback().sequence, name);
       assertEquals(tick % 256, decoder.feedback().holdMs, name);
-      boolean consumed = alwaysConsumed || tick % 5 != 0;
-      assertEquals(consumed ? tick : tick - 9, decoder.feedback().consumedTick, name);
       assertEquals(tick % 64 - 32, decoder.feedback().margin, name);
     }
     if (decoder.hasOwn()) {

@@ -23,7 +23,6 @@ class DatagramHeadTest {
     feedback.present = random.nextBoolean();
     feedback.sequence = random.nextInt(1 << 16);
     feedback.holdMs = random.nextInt(256);
-    feedback.consumedTick = random.nextBoolean() ? head.tick : random.nextInt();
     feedback.margin = random.nextInt(64) - 32;
     head.hasOwn = random.nextBoolean();
     head.ownAge = head.hasOwn ? random.nextInt(64) : 0;
@@ -32,8 +31,7 @@ class DatagramHeadTest {
 
   private static String text(DatagramHead head) {
     InputFeedback f = head.feedback;
-    String feedback =
-        f.present ? f.sequence + " " + f.holdMs + " " + f.consumedTick + " " + f.margin : "none";
+    String feedback = f.present ? f.sequence + " " + f.holdMs + " " + f.margin : "none";
     return head.mark
         + " "
         + head.sequence

@@ -189,7 +189,7 @@ final class Scene {
     }
     own.relayed().clear();
     for (int i = 0; i < tick / 30 % 32; i++) {
-      own.relayed().add((tick / 60 + 7 * i) % PLAYERS);
+      own.relay((tick / 60 + 7 * i) % PLAYERS, tick / 60 * 60);
     }
     own.setWord(0, tick / 50);
     own.setWord(1, -1);

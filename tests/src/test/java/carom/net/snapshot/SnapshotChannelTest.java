@@ -201,7 +201,6 @@ class SnapshotChannelTest {
   void aWorldAtRestCostsNothingButAHeader() {
     Channel channel = new Channel(new Scene(500, 0, 91), 92);
     channel.withOwn = false;
-    channel.alwaysConsumed = true;
     run(channel, 200);
     settle(channel, 50);
     assertTrue(channel.encoder.nothingNew(null), channel.name);

@@ -89,7 +89,6 @@ class SnapshotCostTest {
     }
     own.setBody(0, 1, x[0], y[0], 1, 0, vx[0], vy[0], omega[0]);
     feedback.present = true;
-    feedback.consumedTick = tick;
     encoder.begin(feedback, own, Integer.MAX_VALUE);
     int sum = 0;
     for (int n; (n = encoder.next(buffer)) > 0; ) {

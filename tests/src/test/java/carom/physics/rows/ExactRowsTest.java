@@ -194,6 +194,19 @@ final class ExactRowsTest {
   }
 
   @Test
+  void aContactThatACallHasEndedSinceTheStepCountsUntilTheNext() {
+    List<Body<String>> boxes = new ArrayList<>();
+    World<String> w = tower(boxes);
+    w.step(DT);
+    w.destroyBody(boxes.remove(boxes.size() - 1));
+    ExactRows rows = new ExactRows();
+    boxes.forEach(box -> rows.addBody(box.index()));
+    assertEquals(1, w.readRows(rows), "the last step may have pushed the one below");
+    w.step(DT);
+    read(w, boxes);
+  }
+
+  @Test
   void theKeyIsLeftToTheProgram() {
     List<Body<String>> boxes = new ArrayList<>();
     World<String> w = tower(boxes);

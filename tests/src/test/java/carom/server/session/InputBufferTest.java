@@ -91,6 +91,26 @@ class InputBufferTest {
   }
 
   @Test
+  void aLateInputIsRepeatedFromThenOn() {
+    buffer.offer(1, 42);
+    buffer.consume(1);
+    buffer.consume(2);
+    assertEquals(TOO_LATE, buffer.offer(2, 43));
+    assertEquals(43, buffer.consume(3), "the newest says more than the one before");
+    buffer.offer(3, 44);
+    buffer.hold(3, 44, 4);
+    for (int tick = 4; tick <= 7; tick++) {
+      assertEquals(44, buffer.consume(tick));
+      assertTrue(buffer.lastWasHeld());
+    }
+    for (int tick = 8; tick <= 10; tick++) {
+      assertEquals(44, buffer.consume(tick), "missing from the end of the hold on");
+      assertTrue(buffer.lastWasMissing());
+    }
+    assertEquals(0, buffer.consume(11));
+  }
+
+  @Test
   void nothingIsMissedBeforeTheFirstInput() {
     buffer.consume(1);
     buffer.consume(2);

@@ -100,7 +100,7 @@ public final class OwnAcks implements DatagramLedger.Section {
     nothing.setWords(now.words());
     OwnState baseline = age > 0 ? acked : nothing;
     OwnCodec.code(w, baseline, now);
-    relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now.relayed);
+    relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now);
     int before = w.bytes();
     NearCodec.code(w, baseline.near, now.near);
     return w.bytes() - before;

@@ -27,9 +27,8 @@ public final class OwnInbox {
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn;
   private final long[] readInputs = new long[RelayCodec.maxInputs()];
+  private final byte[] readPast = new byte[PlayerId.MAX + 1];
   private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
-  private final PlayerSet readKnown = new PlayerSet();
-  private int readWindow;
 
   /**
    * Creates an inbox that has received nothing.
@@ -73,10 +72,10 @@ public final class OwnInbox {
     if (!readOwn.isSane()) {
       return false;
     }
-    readWindow = RelayCodec.window(age);
-    readKnown.set(baseline.relayed);
     PlayerSet players = readOwn.relayed;
-    relay.read(r, inputs, tick, readWindow, readKnown, players, readInputs, readWaiting);
+    int window = RelayCodec.window(age);
+    PlayerSet known = baseline.relayed;
+    relay.read(r, inputs, tick, window, known, players, readInputs, readPast, readWaiting);
     NearCodec.code(r, baseline.near, readOwn.near);
     return true;
   }
@@ -101,8 +100,7 @@ public final class OwnInbox {
     PlayerSet players = readOwn.relayed;
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      int count = readWindow > 0 && readKnown.has(p) ? readWindow : 1;
-      for (int i = 1 - count; i <= readWaiting[p]; i++) {
+      for (int i = 1 - readPast[p]; i <= readWaiting[p]; i++) {
         inputs.put(p, tick + i, readInputs[at++]);
       }
     }

@@ -34,6 +34,10 @@ public final class OwnState {
   int archetype;
   public int[] values = new int[FLOATS];
   public final PlayerSet relayed = new PlayerSet();
+
+  /** By player: the tick from which its inputs are relayed without a pause; the sender's. */
+  private int[] relayedSince = {};
+
   public final NearState near = new NearState();
   private final SpawnList spawned = new SpawnList();
 
@@ -127,6 +131,24 @@ public final class OwnState {
     return relayed;
   }
 
+  /**
+   * Adds a player whose inputs are relayed.
+   *
+   * @param since the tick from which they are, without a pause; only the sender knows it
+   */
+  public void relay(int player, int since) {
+    relayed.add(player);
+    if (player >= relayedSince.length) {
+      relayedSince = Arrays.copyOf(relayedSince, Math.max(2 * relayedSince.length, player + 1));
+    }
+    relayedSince[player] = since;
+  }
+
+  /** Returns since which tick a player's inputs are relayed, as {@link #relay} was told. */
+  int relayedSince(int player) {
+    return relayedSince[player];
+  }
+
   /** Sets a word of the player's fields, index 0..{@link #words} - 1. */
   public void setWord(int index, int value) {
     values[FLOATS + checked(index)] = value;
@@ -203,6 +225,11 @@ public final class OwnState {
   public void set(OwnState other) {
     setBody(other);
     relayed.set(other.relayed);
+    if (relayedSince.length < other.relayedSince.length) {
+      relayedSince = Arrays.copyOf(other.relayedSince, other.relayedSince.length);
+    } else {
+      System.arraycopy(other.relayedSince, 0, relayedSince, 0, other.relayedSince.length);
+    }
     spawned.set(other.spawned);
     near.set(other.near);
   }

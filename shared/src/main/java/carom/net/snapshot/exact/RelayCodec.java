@@ -25,11 +25,12 @@ final class RelayCodec {
 
   private static final int COUNT_BITS = 5;
   private static final int WAITING_BITS = 3;
+  private static final int PAST_BITS = 4;
   private static final int COMMON_BUTTONS = 5;
   private static final int BUTTONS = 16;
 
   // Of the player that is being coded: the input at the baseline, then those of each tick of the
-  // window, or of the datagram's tick alone, then those that wait.
+  // window, or of those since it is relayed, then those that wait.
   private final long[] inputs = new long[MAX_WINDOW + WaitingInputs.MOST];
   private long baseline;
   private int waiting;
@@ -85,12 +86,14 @@ final class RelayCodec {
    *
    * @param window ticks from the baseline to the ring's newest frame, see {@link #window}
    * @param known players whose input at the baseline the client knows
+   * @param own has the players
    */
-  public void write(BitPass w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
+  public void write(BitPass w, FrameRing ring, int window, PlayerSet known, OwnState own) {
     int tick = ring.newest().tick();
+    PlayerSet players = own.relayed;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       boolean isKnown = window > 0 && known.has(p);
-      int ticks = isKnown ? window : 1;
+      int ticks = isKnown ? window : past(ring, tick, own.relayedSince(p));
       baseline = isKnown ? inputAt(ring, tick - window, p) : 0;
       for (int i = 0; i < ticks; i++) {
         inputs[i] = inputAt(ring, tick - ticks + 1 + i, p);
@@ -103,13 +106,22 @@ final class RelayCodec {
     }
   }
 
+  private static int past(FrameRing ring, int tick, int since) {
+    int ticks = 1;
+    while (ticks < MAX_WINDOW && tick - ticks >= since && ring.at(tick - ticks) != null) {
+      ticks++;
+    }
+    return ticks;
+  }
+
   /**
-   * Reads what {@link #write} wrote: the inputs of a known player's whole window, of others that of
-   * the datagram's tick, each followed by those that wait.
+   * Reads what {@link #write} wrote: the inputs of a known player's whole window, of others those
+   * since they are relayed, each followed by those that wait.
    *
    * @param held the inputs that the client knows
    * @param tick the datagram's
    * @param out receives them, player by player; {@link #maxInputs} at most
+   * @param pastOf receives by player how many of them are of ticks up to the datagram's
    * @param waitingOf receives by player how many of them are of later ticks
    */
   public void read(
@@ -120,14 +132,15 @@ final class RelayCodec {
       PlayerSet known,
       PlayerSet players,
       long[] out,
+      byte[] pastOf,
       byte[] waitingOf) {
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       boolean isKnown = window > 0 && known.has(p);
-      int ticks = isKnown ? window : 1;
       baseline = isKnown ? held.at(p, tick - window) : 0;
-      player(r, isKnown, ticks);
+      int ticks = player(r, isKnown, window);
       System.arraycopy(inputs, 0, out, at, ticks + waiting);
+      pastOf[p] = (byte) ticks;
       waitingOf[p] = (byte) waiting;
       at += ticks + waiting;
     }
@@ -142,21 +155,25 @@ final class RelayCodec {
    * Codes one player's inputs.
    *
    * @param isKnown whether both sides know the baseline; else the first input is always sent
-   * @param ticks inputs up to the datagram's tick
+   * @param past inputs up to the datagram's tick; a reader finds out how many of an unknown player
+   * @return how many these are
    */
-  private void player(BitPass c, boolean isKnown, int ticks) {
-    if (isKnown && !c.flag(isChanged(ticks + waiting))) {
-      Arrays.fill(inputs, 0, ticks, baseline);
+  private int player(BitPass c, boolean isKnown, int past) {
+    if (isKnown && !c.flag(isChanged(past + waiting))) {
+      Arrays.fill(inputs, 0, past, baseline);
       waiting = 0;
-      return;
+      return past;
     }
+    int ticks = past;
     int from = 0;
     if (!isKnown) {
+      ticks = c.plain(past - 1, PAST_BITS) + 1;
       inputs[from++] = input(c, 0, inputs[0]);
     }
     following(c, from, ticks);
     waiting = c.plain(waiting, WAITING_BITS);
     following(c, ticks, ticks + waiting);
+    return ticks;
   }
 
   private boolean isChanged(int count) {

@@ -21,11 +21,13 @@ class RelayCodecTest {
   private int window;
   private PlayerSet known;
   private PlayerSet players;
+  private OwnState own;
   private RelayedInputs held;
 
   /** What one side has of the section: by player, the inputs up to the last that waits. */
   private static final class Inputs {
     final long[] read = new long[RelayCodec.maxInputs()];
+    final byte[] past = new byte[1_024];
     final byte[] waiting = new byte[1_024];
     boolean isRead;
   }
@@ -45,6 +47,10 @@ class RelayCodecTest {
     window = RelayCodec.window(random.nextInt(RelayCodec.MAX_WINDOW + 4));
     known = players();
     players = players();
+    own = new OwnState();
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      own.relay(p, TICKS - random.nextInt(Math.min(TICKS, RelayCodec.MAX_WINDOW + 4)));
+    }
     long[] input = new long[PLAYERS];
     for (int tick = 1; tick <= TICKS; tick++) {
       var frame = ring.begin(tick);
@@ -76,9 +82,9 @@ class RelayCodecTest {
   private void code(BitPass c, Inputs inputs) {
     if (c.isReading()) {
       inputs.isRead = true;
-      codec.read(c, held, TICKS, window, known, players, inputs.read, inputs.waiting);
+      codec.read(c, held, TICKS, window, known, players, inputs.read, inputs.past, inputs.waiting);
     } else {
-      codec.write(c, ring, window, known, players);
+      codec.write(c, ring, window, known, own);
     }
   }
 
@@ -87,7 +93,9 @@ class RelayCodecTest {
     StringBuilder out = new StringBuilder();
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      int ticks = window > 0 && known.has(p) ? window : 1;
+      int since = Math.min(RelayCodec.MAX_WINDOW, TICKS - own.relayedSince(p) + 1);
+      int told = window > 0 && known.has(p) ? window : since;
+      int ticks = inputs.isRead ? inputs.past[p] : told;
       int waiting = inputs.isRead ? inputs.waiting[p] : ring.waiting().count(p);
       out.append('\n').append(p).append(':');
       long last = 0;
