@@ -6,6 +6,8 @@ import carom.server.config.RoomFlag;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.match.MatchLibrary;
+import carom.server.upload.UploadedLevel;
+import carom.server.upload.Uploads;
 import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
@@ -225,12 +227,17 @@ final class GameChoice {
       if (isBuiltIn) {
         return Level.builtIn(wanted);
       }
+      if (wanted.startsWith(UploadedLevel.PREFIX) && flags.get(ServerConfig.UPLOADS)) {
+        return Uploads.level(flags.dataFolder().uploads(), wanted);
+      }
     } catch (LevelException e) {
       throw flags.bad(flag + ": " + e.getMessage());
     }
+    String ofPlayers =
+        wanted.startsWith(UploadedLevel.PREFIX) ? "; levels of players need --uploads" : "";
     throw flags.bad(
-        "%s: there is no file level=%s, and the levels that come with the program are %s"
-            .formatted(flag, wanted, String.join(", ", MatchLibrary.builtInLevels())));
+        "%s: there is no file level=%s, and the levels that come with the program are %s%s"
+            .formatted(flag, wanted, String.join(", ", MatchLibrary.builtInLevels()), ofPlayers));
   }
 
   private Path path(String flag, String name) {

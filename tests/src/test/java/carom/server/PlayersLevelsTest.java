@@ -22,8 +22,10 @@ import carom.server.upload.Uploads;
 import carom.sim.level.Level;
 import carom.suite.Needs;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -174,6 +176,54 @@ final class PlayersLevelsTest {
     rig.room("cup").simulation().matchOver();
     choose(ann, "");
     assertEquals("Corner Pocket", played("cup"), "its end is the end of the level here");
+  }
+
+  @Test
+  void anOperatorNamesALevelOfAPlayerAtTheStart() throws Exception {
+    assertEquals(LevelOutcome.TAKEN, send("1", level("Anns Court")).outcome());
+    String hash = uploads.find("Anns Court").hash().substring(0, 12);
+    String all =
+        start(
+            "--uploads",
+            "--room=cup=arena,uploads/Anns Court",
+            "--room=tug=uploads/" + hash + ":8");
+    assertTrue(all.contains("room cup: arena, uploads/Anns Court, 64 places"), all);
+    assertTrue(all.contains("room tug: uploads/" + hash + ", 8 places"), all);
+    String missing = start("--uploads", "--levels=uploads/Ans Court");
+    assertTrue(
+        missing.contains("--levels=uploads/Ans Court: uploads/Ans Court: no player has sent"),
+        missing);
+    assertTrue(missing.contains("\"uploads/Anns Court\""), missing);
+    String without = start("--level=uploads/Anns Court");
+    assertTrue(without.contains("levels of players need --uploads"), without);
+  }
+
+  /** Starts a server on the folder until it is ready or fails, and returns what it logs. */
+  private String start(String... flags) throws Exception {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                ServerMain.class.getName(),
+                "--data=" + folder,
+                "--bind=127.0.0.1",
+                "--tcp-port=0",
+                "--udp-port=0",
+                "--no-web",
+                "--no-query",
+                "--no-console"));
+    command.addAll(List.of(flags));
+    Path log = folder.resolve("log.txt");
+    Process server = new ProcessBuilder(command).redirectError(log.toFile()).start();
+    try {
+      server.inputReader().readLine(); // that it is ready, or nothing
+      return Files.readString(log);
+    } finally {
+      server.destroyForcibly();
+    }
   }
 
   @Test

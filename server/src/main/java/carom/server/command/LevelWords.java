@@ -38,7 +38,8 @@ record LevelWords(DataFolder data, Uploads uploads) {
             : data.levelNames().contains(name) || MatchLibrary.isBuiltInLevel(name);
     if (!known && ofPlayer) {
       throw new CommandException(
-          "no player has sent LEVEL=%s%s".formatted(name, Suggestion.didYouMean(name, names())));
+          "no player has sent LEVEL=%s, nor one whose hash begins so%s"
+              .formatted(name, Suggestion.didYouMean(name, names())));
     }
     if (!known && !words.mayNameAnyFile()) {
       throw new CommandException(

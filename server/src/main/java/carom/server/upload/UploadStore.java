@@ -37,10 +37,10 @@ final class UploadStore {
    */
   UploadStore(Path folder) throws IOException {
     this.folder = folder;
-    index = folder.resolve("index.txt");
+    index = index(folder);
     try {
       Files.createDirectories(folder);
-      levels = read();
+      levels = read(folder);
       deleteOthers();
     } catch (IOException e) {
       throw new IOException(
@@ -48,14 +48,20 @@ final class UploadStore {
     }
   }
 
-  private List<UploadedLevel> read() throws IOException {
+  private static Path index(Path folder) {
+    return folder.resolve("index.txt");
+  }
+
+  /** Returns the levels of the index, without a change. */
+  static List<UploadedLevel> read(Path folder) throws IOException {
     List<UploadedLevel> read = new ArrayList<>();
+    Path index = index(folder);
     if (!Files.exists(index)) {
       return read;
     }
     for (String line : Files.readString(index).split("\n", -1)) {
       UploadedLevel level = UploadedLevel.parse(line);
-      if (level != null && Files.isRegularFile(file(level))) {
+      if (level != null && Files.isRegularFile(file(folder, level))) {
         read.add(level);
       } else if (!line.isEmpty()) {
         LOG.warn("levels of players: a line of {} is left out: no level, or no file", index);
@@ -88,6 +94,10 @@ final class UploadStore {
   }
 
   private Path file(UploadedLevel level) {
+    return file(folder, level);
+  }
+
+  private static Path file(Path folder, UploadedLevel level) {
     return folder.resolve(level.hash() + LEVEL);
   }
 
@@ -97,7 +107,12 @@ final class UploadStore {
    * @throws IOException if it isn't there, or isn't what was kept
    */
   byte[] bytes(UploadedLevel level) throws IOException {
-    Path file = file(level);
+    return bytes(folder, level);
+  }
+
+  /** Returns the bytes as {@link #bytes(UploadedLevel)} does. */
+  static byte[] bytes(Path folder, UploadedLevel level) throws IOException {
+    Path file = file(folder, level);
     byte[] bytes = Files.readAllBytes(file);
     if (!hash(bytes).equals(level.hash())) {
       throw new IOException(file + " has been changed; remove the level");

@@ -9,6 +9,7 @@ import carom.sim.Game;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import carom.text.FileErrors;
+import carom.text.Suggestion;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,11 +19,13 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import java.util.regex.Pattern;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -32,6 +35,14 @@ import org.slf4j.LoggerFactory;
  */
 public final class Uploads implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Uploads.class);
+
+  /** Fewest digits of a hash by which a level is found; a list of levels shows so many. */
+  static final int LEAST_DIGITS = 12;
+
+  private static final Pattern HASH = Pattern.compile("[0-9a-f]{" + LEAST_DIGITS + ",64}");
+
+  private static final String NONE =
+      "no player has sent a level of this name, or one whose hash begins so";
 
   /** Most levels of an account. */
   static final int MOST_OF_ACCOUNT = 8;
@@ -121,14 +132,54 @@ public final class Uploads implements AutoCloseable {
     return levels;
   }
 
-  /** Returns the level of a name, with or without {@link UploadedLevel#PREFIX}, or null. */
+  /**
+   * Returns the level of a name, or whose hash begins so, or null. A hash comes before a name, and
+   * an older level before a newer one, so that no player can put a level in the place of another.
+   *
+   * @param name with or without {@link UploadedLevel#PREFIX}; of a hash, {@value #LEAST_DIGITS}
+   *     digits or more
+   */
   public UploadedLevel find(String name) {
+    return find(levels, name);
+  }
+
+  private static UploadedLevel find(List<UploadedLevel> levels, String name) {
     boolean full = name.startsWith(UploadedLevel.PREFIX);
-    String folded = PlayerName.folded(full ? name.substring(UploadedLevel.PREFIX.length()) : name);
+    String sought = full ? name.substring(UploadedLevel.PREFIX.length()) : name;
+    if (HASH.matcher(sought).matches()) {
+      Optional<UploadedLevel> hashed =
+          levels.stream()
+              .filter(level -> level.hash().startsWith(sought))
+              .min(Comparator.comparingLong(UploadedLevel::since));
+      if (hashed.isPresent()) {
+        return hashed.get();
+      }
+    }
+    String folded = PlayerName.folded(sought);
     return levels.stream()
         .filter(level -> PlayerName.folded(level.name()).equals(folded))
         .findAny()
         .orElse(null);
+  }
+
+  /**
+   * Returns a level as {@link #find} finds it, of a folder that may be another server's; changes
+   * nothing.
+   *
+   * @throws LevelException if there is none, or it can't be read; the message says why
+   */
+  public static Level level(Path folder, String name) throws LevelException {
+    try {
+      List<UploadedLevel> there = UploadStore.read(folder);
+      UploadedLevel level = find(there, name);
+      if (level != null) {
+        return Level.parse(level.title(), UploadStore.bytes(folder, level));
+      }
+      List<String> titles = there.stream().map(UploadedLevel::title).toList();
+      throw new LevelException(name, 0, 0, "", NONE + Suggestion.didYouMean(name, titles));
+    } catch (IOException e) {
+      throw new LevelException(name, 0, 0, "", "it can't be read: " + FileErrors.reason(e));
+    }
   }
 
   /**
@@ -304,7 +355,7 @@ public final class Uploads implements AutoCloseable {
     } catch (IOException e) {
       throw new LevelException(name, 0, 0, "", "it can't be read: " + FileErrors.reason(e));
     }
-    throw new LevelException(name, 0, 0, "", "no player has sent a level of this name");
+    throw new LevelException(name, 0, 0, "", NONE);
   }
 
   /** Ends the thread, and a check that is under way. */

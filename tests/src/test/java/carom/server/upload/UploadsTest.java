@@ -107,6 +107,26 @@ final class UploadsTest {
   }
 
   @Test
+  void aLevelIsFoundByItsHashWhateverOthersCallTheirs() throws Exception {
+    open();
+    assertTrue(send("1", level("Tall Tower")).taken());
+    String hash = uploads.find("Tall Tower").hash();
+    String shown = hash.substring(0, 12);
+    assertTrue(send("2", level(shown)).taken());
+    assertEquals("Tall Tower", uploads.find("uploads/" + shown).name());
+    assertEquals("Tall Tower", uploads.find(hash).name());
+    assertNull(uploads.find(hash.substring(0, 11)), "too short");
+    assertEquals("Tall Tower", Uploads.level(folder, "uploads/" + shown).name());
+    LevelException e =
+        assertThrows(LevelException.class, () -> Uploads.level(folder, "uploads/Tal Tower"));
+    assertTrue(e.getMessage().contains("uploads/Tall Tower"), e.getMessage());
+    assertTrue(uploads.remove("Tall Tower"));
+    assertEquals(shown, uploads.find(shown).name());
+    assertThrows(LevelException.class, () -> Uploads.level(folder, "uploads/" + hash));
+    assertEquals(2, Files.list(folder).count(), "the index and a level: reading changes nothing");
+  }
+
+  @Test
   void noNameIsAPath() throws Exception {
     open();
     Path secret = folder.resolveSibling("secret.json");
