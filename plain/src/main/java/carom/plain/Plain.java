@@ -72,5 +72,11 @@ public final class Plain {
     kryo.register(Joint.class);
     kryo.register(Joint[].class);
     kryo.register(Joints.class);
+    kryo.register(ListBest.class);
+    kryo.register(BestEntry.class);
+    kryo.register(BestEntry[].class);
+    kryo.register(BestList.class);
+    kryo.register(BestList[].class);
+    kryo.register(Best.class);
   }
 }

@@ -4,8 +4,6 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.transport.InProcessNetwork;
-import carom.server.access.EntryRule;
-import carom.server.access.JoinTokens;
 import carom.server.account.AccountService;
 import carom.server.account.AccountStore;
 import carom.server.checkpoint.SlotDisk;
@@ -16,23 +14,14 @@ import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
 import carom.server.session.Session;
 import carom.sim.Game;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.KeyPair;
-import java.security.KeyPairGenerator;
-import java.security.Signature;
-import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 
 /** A server of {@link EarnGame} in virtual time, whose disk and store work when the test wants. */
 final class AccountRig implements AutoCloseable {
-  private static final KeyPair BACKEND = pair();
-
   final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
   final Server server;
   final AccountService accounts;
@@ -91,25 +80,7 @@ final class AccountRig implements AutoCloseable {
             () -> this.nowNs);
     accounts = new AccountService(store, () -> this.nowNs);
     server.accounts(accounts);
-    Path key = scratch.resolve("join.pem");
-    Files.writeString(
-        key,
-        "-----BEGIN PUBLIC KEY-----\n"
-            + Base64.getEncoder().encodeToString(BACKEND.getPublic().getEncoded())
-            + "\n-----END PUBLIC KEY-----\n");
-    JoinTokens tokens = JoinTokens.load(key, "us", 0, () -> Instant.ofEpochSecond(1_000));
-    server.admit(
-        new EntryRule() {
-          @Override
-          public Refusal refusal(String name, String account, String remote) {
-            return null;
-          }
-
-          @Override
-          public JoinTokens tokens() {
-            return tokens;
-          }
-        });
+    server.admit(Backend.rule(scratch));
     if (folder != null) {
       SlotDisk slots = new SlotDisk(disk::add);
       for (Room room : server.rooms()) {
@@ -120,30 +91,8 @@ final class AccountRig implements AutoCloseable {
     server.tick(nowNs);
   }
 
-  private static KeyPair pair() {
-    try {
-      return KeyPairGenerator.getInstance("Ed25519").generateKeyPair();
-    } catch (Exception e) {
-      throw new AssertionError(e);
-    }
-  }
-
-  private static String base64(byte[] bytes) {
-    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
-  }
-
   static String token(String account) throws Exception {
-    String text =
-        base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
-            + "."
-            + base64(
-                "{\"sub\":\"%s\",\"exp\":2000}"
-                    .formatted(account)
-                    .getBytes(StandardCharsets.UTF_8));
-    Signature signature = Signature.getInstance("Ed25519");
-    signature.initSign(BACKEND.getPrivate());
-    signature.update(text.getBytes(StandardCharsets.US_ASCII));
-    return text + "." + base64(signature.sign());
+    return Backend.token(account);
   }
 
   /** Sends a greeting in the name of an account. */

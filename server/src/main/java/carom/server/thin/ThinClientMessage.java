@@ -88,6 +88,9 @@ public sealed interface ThinClientMessage {
   /** Asks which rooms there are; before {@link Join} or while playing. */
   record ListRooms() implements ThinClientMessage {}
 
+  /** Asks for the best of what accounts keep in the game. */
+  record ListBest() implements ThinClientMessage {}
+
   /**
    * Carries a message of the game.
    *
@@ -116,6 +119,6 @@ public sealed interface ThinClientMessage {
   /** The names of all messages, as they are in every form. */
   List<String> NAMES =
       List.of(
-          "join", "input", "chat", "emote", "choose", "rate", "view", "rooms", "custom", "alive",
-          "leave");
+          "join", "input", "chat", "emote", "choose", "rate", "view", "rooms", "best", "custom",
+          "alive", "leave");
 }

@@ -452,6 +452,8 @@ public abstract class ThinLink implements Link {
       tell(new ThinServerMessage.Chat(BuiltInKinds.SERVER, n.text(), false));
     } else if (message instanceof ServerMessage.RoomList list) {
       tell(ThinTexts.rooms(list));
+    } else if (message instanceof ServerMessage.BestLists best) {
+      tell(ThinTexts.best(best));
     } else if (message instanceof ServerMessage.Roster changes) {
       ThinTexts.tellRoster(changes, roster, ownColours, this);
     } else if (message instanceof ServerMessage.Heard h) {
@@ -538,6 +540,8 @@ public abstract class ThinLink implements Link {
       answers.add(new ClientMessage.Leave());
     } else if (kinds == null) {
       return; // the rest means nothing before there is a match
+    } else if (message instanceof ThinClientMessage.ListBest) {
+      answers.add(new ClientMessage.ListBest());
     } else if (message instanceof ThinClientMessage.Chat chat) {
       say(BuiltInKinds.SAY, Map.of("team", chat.team(), "text", chat.text()));
     } else if (message instanceof ThinClientMessage.Emote emote) {

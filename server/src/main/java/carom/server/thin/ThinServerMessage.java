@@ -224,6 +224,20 @@ public sealed interface ThinServerMessage {
       int places,
       Map<String, String> info) {}
 
+  /** Lists the best of what accounts keep in the game, a list for each field that has any. */
+  record Best(List<BestList> lists) implements ThinServerMessage {}
+
+  /**
+   * The best of one field.
+   *
+   * @param own index of the player's own entry, or -1
+   * @param entries the best first
+   */
+  record BestList(String field, int own, List<BestEntry> entries) {}
+
+  /** An entry: the name under which the account played last, and the value for people. */
+  record BestEntry(String name, String value) {}
+
   /** Carries a message of the game: its kind's name, and its values by name. */
   record Custom(String kind, Map<String, Object> values) implements ThinServerMessage {}
 

@@ -23,6 +23,17 @@ final class ThinTexts {
     return new ThinServerMessage.Rooms(rooms, list.left());
   }
 
+  static ThinServerMessage best(ServerMessage.BestLists best) {
+    List<ThinServerMessage.BestList> lists = new ArrayList<>();
+    for (ServerMessage.BestList list : best.lists()) {
+      List<ThinServerMessage.BestEntry> entries = new ArrayList<>();
+      list.entries()
+          .forEach(e -> entries.add(new ThinServerMessage.BestEntry(e.name(), e.value())));
+      lists.add(new ThinServerMessage.BestList(list.field(), list.own(), entries));
+    }
+    return new ThinServerMessage.Best(lists);
+  }
+
   static ThinServerMessage of(Message message) {
     if (message.is(BuiltInKinds.SAID)) {
       return new ThinServerMessage.Chat(

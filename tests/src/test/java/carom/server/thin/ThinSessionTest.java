@@ -388,6 +388,25 @@ final class ThinSessionTest {
   }
 
   @Test
+  void theBestAreToldOnRequestAndNotBeforeTheMatch() throws Exception {
+    Balls game = new Balls(5, 10_000);
+    serve(ServerConfig.defaults(), game, Balls.level());
+    ThinDoor.Client early = new ThinDoor.Client(true, 0, 1);
+    door.enter(early);
+    early.say(new ThinClientMessage.ListBest());
+    ThinDoor.Client ann = join("Ann");
+    for (int i = 0; i < 10; i++) {
+      ann.say(new ThinClientMessage.ListBest());
+    }
+    steps(90);
+    List<ThinServerMessage> told =
+        ann.heard.stream().filter(ThinServerMessage.Best.class::isInstance).toList();
+    assertTrue(!told.isEmpty() && told.size() <= 4, "asked ten times, told=" + told.size());
+    assertEquals(new ThinServerMessage.Best(List.of()), told.get(0), "without accounts");
+    assertEquals(List.of(), early.heard);
+  }
+
+  @Test
   void theMemoryOfRulesIsForClientsThatPredict() throws Exception {
     Balls game = new Balls(5, 0);
     Level level =

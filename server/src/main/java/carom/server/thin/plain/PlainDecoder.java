@@ -75,6 +75,8 @@ final class PlainDecoder {
         return view();
       case PlainIds.LIST_ROOMS:
         return new ThinClientMessage.ListRooms();
+      case PlainIds.LIST_BEST:
+        return new ThinClientMessage.ListBest();
       case PlainIds.CUSTOM:
         return custom();
       case PlainIds.ALIVE:

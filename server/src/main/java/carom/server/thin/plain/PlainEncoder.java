@@ -66,6 +66,10 @@ final class PlainEncoder {
       }
     } else if (message instanceof ThinServerMessage.Rooms m) {
       rooms(out, m);
+    } else if (message instanceof ThinServerMessage.Best m) {
+      int begin = begin(out, PlainIds.BEST);
+      list(out, m.lists(), PlainEncoder::bestList); // at most 16 of 10: 12,000 bytes
+      end(out, begin);
     } else if (message instanceof ThinServerMessage.Custom m) {
       GameClass own = classes == null ? null : classes.find(m.kind());
       int begin = begin(out, own == null ? PlainIds.CUSTOM : PlainIds.FIRST_OF_GAME + own.number());
@@ -406,6 +410,17 @@ final class PlainEncoder {
     out.text(r.phase());
     out.whole(r.places());
     out.whole(r.players());
+  }
+
+  private static void bestList(KryoOutput out, ThinServerMessage.BestList b) {
+    list(out, b.entries(), PlainEncoder::bestEntry);
+    out.text(b.field());
+    out.whole(b.own());
+  }
+
+  private static void bestEntry(KryoOutput out, ThinServerMessage.BestEntry e) {
+    out.text(e.name());
+    out.text(e.value());
   }
 
   private static void field(KryoOutput out, ThinServerMessage.FieldValue f) {

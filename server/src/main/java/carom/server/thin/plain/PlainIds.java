@@ -48,8 +48,11 @@ final class PlainIds {
   static final int GOODBYE = 68;
   static final int JOINTS = 74;
 
+  static final int LIST_BEST = 75;
+  static final int BEST = 80;
+
   /** The first of a game's own classes, see {@link carom.server.thin.GameClasses}. */
-  static final int FIRST_OF_GAME = 75;
+  static final int FIRST_OF_GAME = 81;
 
   private PlainIds() {}
 }

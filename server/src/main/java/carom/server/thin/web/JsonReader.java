@@ -81,6 +81,7 @@ final class JsonReader {
               metres(body, "halfWidth"),
               metres(body, "halfHeight"));
       case "rooms" -> new ThinClientMessage.ListRooms();
+      case "best" -> new ThinClientMessage.ListBest();
       case "custom" -> custom(body);
       case "alive" -> new ThinClientMessage.Alive();
       default -> new ThinClientMessage.Leave();

@@ -216,12 +216,12 @@ final class GameMessagesTest {
                 MessageKind.named("a").text("text", 9).choice("mood", MessageKind.Direction.class),
                 MessageKind.named("b").count("n", 0, 9)));
     PlainDecoder decoder = new PlainDecoder();
-    String right = "4d" + "04"; // 75 + 2: one class and its enum come before
+    String right = "53" + "04"; // 81 + 2: one class and its enum come before
     byte[] bytes = HexFormat.of().parseHex(right);
     assertEquals(
         "Custom[kind=b, values={n=2}]", "" + decoder.decode(bytes, 0, bytes.length, classes));
     assertNull(decoder.decode(bytes, 0, bytes.length, null), "a client without classes");
-    for (String wrong : List.of("4c", "4e00", "4d", "4d0400", "4b0480", "4b0580", "4bffffffff7f")) {
+    for (String wrong : List.of("52", "5400", "53", "530400", "510480", "510580", "51ffffffff7f")) {
       byte[] one = HexFormat.of().parseHex(wrong);
       assertNull(decoder.decode(one, 0, one.length, classes), wrong);
       assertTrue(decoder.problem() != null, wrong);
@@ -231,7 +231,7 @@ final class GameMessagesTest {
     for (int i = 0; i < 20_000; i++) {
       byte[] any = new byte[1 + random.nextInt(40)];
       random.nextBytes(any);
-      any[0] = (byte) (0x4b + random.nextInt(4));
+      any[0] = (byte) (PlainIds.FIRST_OF_GAME + random.nextInt(4));
       Object read = decoder.decode(any, 0, any.length, classes);
       assertEquals(read == null, decoder.problem() != null, "seed=" + seed);
     }

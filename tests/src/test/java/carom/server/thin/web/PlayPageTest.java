@@ -5,11 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.game.Games;
+import carom.server.Backend;
 import carom.server.Server;
+import carom.server.account.AccountService;
+import carom.server.account.AccountValues;
+import carom.server.account.AccountWrite;
+import carom.server.account.MemoryAccounts;
+import carom.server.account.Stay;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchLibrary;
 import carom.server.web.Chromium;
+import carom.sim.SimulationHost;
+import carom.sim.field.Schema;
+import carom.sim.level.Level;
 import carom.suite.Needs;
 import java.net.InetAddress;
 import java.nio.file.Path;
@@ -175,6 +185,66 @@ final class PlayPageTest {
       browser.await(own("Math.abs(p[1] - " + before + ") > 1"));
       browser.evaluate(event + "('up')");
       assertEquals(1, server.rooms().get(0).seats().takenCount());
+      assertEquals(List.of(), browser.errors());
+    }
+  }
+
+  private static AccountService accounts() throws Exception {
+    MemoryAccounts store = new MemoryAccounts();
+    Schema schema = SimulationHost.schemaOf(Games.create("arena"), Level.builtIn("arena"));
+    String[] names = {"Ann <b>", "Bob", "Cleo"};
+    for (int i = 0; i < names.length; i++) {
+      AccountValues values = AccountValues.NONE.with("arena", schema, new int[] {3 - i, 10 + i});
+      store.write(
+          AccountWrite.of(
+              new Stay(String.valueOf(i), 1, values),
+              names[i],
+              "arena",
+              new AccountWrite.Place("arena", 1, 1),
+              true,
+              true));
+    }
+    AccountService service = new AccountService(store, System::nanoTime);
+    service.start();
+    return service;
+  }
+
+  @Test
+  void theMenuHasTheBestWithTheOwnPlace() throws Exception {
+    PlayPort port =
+        new PlayPort(PlayPort.Settings.plain(List.of(InetAddress.getLoopbackAddress()), 0, 8));
+    try (Server server = serve(port);
+        Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      server.accounts(accounts());
+      server.admit(Backend.rule(folder));
+      browser.look(1280, 720, true);
+      browser.open(port.url() + "#room=arena&token=" + Backend.token("1"));
+      browser.await("document.querySelectorAll('#rooms li').length === " + GAMES.size());
+      browser.evaluate("document.getElementById('name').value = 'Bob'");
+      browser.click("document.getElementById('go')");
+      browser.await("caromPlay.world.own");
+      browser.press("Escape", ESCAPE);
+      browser.await("!document.getElementById('menu').hidden");
+      browser.click("document.getElementById('best')");
+      browser.await("document.querySelectorAll('#bestPage li').length === 6");
+      assertEquals(
+          "wins: 3Ann <b>, 2Bob  (you), 1Cleo; scored: 12Cleo, 11Bob  (you), 10Ann <b>",
+          browser.evaluate(
+              "[...document.querySelectorAll('#bestPage div h2')].map(h => h.textContent + ': ' +"
+                  + " [...h.nextSibling.children].map(li => li.textContent).join(', ')).join(';"
+                  + " ')"));
+      assertEquals(
+          "2Bob  (you),11Bob  (you)",
+          browser.evaluate(
+              "[...document.querySelectorAll('#bestPage .own')].map(li => li.textContent).join()"));
+      browser.click("document.getElementById('bestBack')");
+      browser.await("!document.getElementById('stay').hidden");
+      browser.click("[...document.querySelectorAll('#rooms button')][1]"); // platformer
+      browser.await("caromPlay.world.match.game === 'platformer'");
+      browser.press("Escape", ESCAPE);
+      browser.await("!document.getElementById('menu').hidden");
+      browser.click("document.getElementById('best')");
+      browser.await("document.getElementById('bestPage').innerText.includes('Nobody is listed')");
       assertEquals(List.of(), browser.errors());
     }
   }

@@ -11,7 +11,7 @@ import {drawQr} from './qr.js';
 import {hex} from './painter.js';
 
 const $ = id => document.getElementById(id);
-const RATE = 60, ALIVE_MS = 250, MOST_LINES = 8, LINE_MS = 12_000, MOST_SCORES = 12;
+const RATE = 60, ALIVE_MS = 250, MOST_LINES = 8, LINE_MS = 12_000, MOST_SCORES = 12, BEST_MS = 1000, TRUSTED = 2; // answers before an empty one counts
 const SEAT = 'carom-seat'; // the secret of this tab's seat, so that a page that is loaded again goes on
 const COLOURS = {OF_THE_GAME: 'as in the game', RED: 'red', ORANGE: 'orange', YELLOW: 'yellow', LIME: 'lime', GREEN: 'green', CYAN: 'cyan',
   BLUE: 'blue', VIOLET: 'violet', PINK: 'pink', BROWN: 'brown', WHITE: 'white'};
@@ -76,11 +76,12 @@ const link = new Thin({
   chat: ({player, text, team}) => say(world.players.get(player), text, team),
   emote: ({player, emote}) => picture.emote(player, EMOTES[emote] || emote, performance.now()),
   rooms: takeRooms,
+  best: value => { best = value.lists; showBest(); },
   redirect: ({server}) => end(`This server sends its players to ${server}.`),
   state: text => { $('state').textContent = text; $('state').hidden = !text; },
   end,
 });
-let fresh = true, menuIsForced = true, worn = '';
+let best = null, bestAsked = 0, fresh = true, menuIsForced = true, worn = '';
 const usualKeys = $('keys').textContent;
 picture.onBlow = (effects, x, y, share) => sounds.effects(effects, {x, y}, share, picture.camera.x, picture.camera.y);
 
@@ -136,6 +137,7 @@ function join(secret) {
 
 function showMenu(on) {
   $('menu').hidden = !on;
+  turnToBest(false);
   if (on) { link.say('rooms'); showLink(); controls.release(); } else $('game').focus();
 }
 
@@ -158,13 +160,45 @@ function showRooms() {
     item.append(button);
     return item;
   }));
-  $('rooms').hidden = !rooms.length;
+  $('rooms').hidden = !rooms.length || !$('bestPage').hidden;
+}
+
+/** Shows the best lists instead of the menu, or the menu. */
+function turnToBest(on) {
+  $('bestPage').hidden = !on;
+  bestAsked = 0;
+  best = null;
+  if (on) askForBest();
+  for (const id of ['share', 'keys']) $(id).hidden = on;
+  showRooms();
+  showStay();
+}
+
+function askForBest() {
+  bestAsked++;
+  link.say('best');
+  showBest();
+}
+
+/** Shows the lists; the first answers are empty where the server has yet to ask its store. */
+function showBest() {
+  const lists = (best || []).flatMap(({field, own, entries}) => {
+    const list = node('ol', '');
+    list.append(...entries.map(({name, value}, i) => {
+      const item = node('li', '', i === own ? 'own' : '');
+      item.append(node('span', value), i === own ? `${name}  (you)` : name);
+      return item;
+    }));
+    return [node('h2', field), list];
+  });
+  const why = bestAsked <= TRUSTED ? 'Asking the server ...' : 'Nobody is listed: this game keeps nothing that lasts, or nobody has gained it yet.';
+  $('bestPage').querySelector('div').replaceChildren(...lists.length ? lists : [node('p', why)]);
 }
 
 /** Shows what the player may choose while playing. */
 function showStay() {
   const me = world.players.get(world.match?.player);
-  $('stay').hidden = !world.match;
+  $('stay').hidden = !world.match || !$('bestPage').hidden;
   $('join').hidden = !!world.match;
   if (!world.match) return;
   $('teams').replaceChildren(...world.match.teams.map((team, i) => {
@@ -308,6 +342,9 @@ function sendView() {
 $('join').onsubmit = e => { e.preventDefault(); join(); };
 $('menuButton').onclick = () => showMenu($('menu').hidden || !world.match);
 $('back').onclick = () => showMenu(false);
+$('best').onclick = () => turnToBest(true);
+$('bestBack').onclick = () => turnToBest(false);
+setInterval(() => { if (!$('bestPage').hidden) askForBest(); }, BEST_MS);
 $('leave').onclick = () => { link.leave(); end('You have left.'); };
 $('watch').onclick = () => { link.say('choose', {role: world.players.get(world.match.player)?.spectator ? 'PLAYER' : 'SPECTATOR'}); showMenu(false); };
 $('ready').onclick = () => { link.say('choose', {ready: !ready}); showMenu(false); };
