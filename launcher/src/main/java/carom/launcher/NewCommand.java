@@ -40,7 +40,7 @@ final class NewCommand implements Callable<Integer> {
                   + " this throw throws transient true try void volatile while"
                   + " aux com1 com2 com3 com4 com5 com6 com7 com8 com9 con lpt1 lpt2 lpt3 lpt4"
                   + " lpt5 lpt6 lpt7 lpt8 lpt9 nul prn"
-                  + " java javax jdk carom commons lagoon quarry sluice towers")
+                  + " java javax jdk carom commons lagoon quarry rink sluice towers")
               .split(" "));
 
   @Spec private CommandSpec spec;

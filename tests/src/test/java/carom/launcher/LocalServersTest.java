@@ -66,6 +66,7 @@ final class LocalServersTest {
                 "orbit",
                 "platformer",
                 "quarry",
+                "rink",
                 "rockets",
                 "sandbox",
                 "shooter",

@@ -1,6 +1,7 @@
 package carom.client.bots;
 
 import carom.client.view.ClientView.Drawn;
+import carom.game.arena.ArenaGame;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
 import carom.sim.level.Level;
@@ -10,7 +11,8 @@ import java.util.List;
  * Plays the arena: the nearest two of a side push a ball towards the other side's goal, one stands
  * in front of the own goal, and the others go after a rival each, but not into corners. It pushes a
  * ball only along ways that are free, and from where it can stand, so that a ball in a corner is
- * brought out along the wall.
+ * brought out along the wall. All but the weak boost on long ways and bend balls towards the goal;
+ * the strong see to balls near their own goal first.
  */
 final class ArenaBrain extends GradedBrain {
   /** Most bots of a side that go for the same ball. */
@@ -39,6 +41,11 @@ final class ArenaBrain extends GradedBrain {
   private static final float JOLT_RANGE = 10;
   private static final float DASH_RANGE = 3;
 
+  /** Distance to the ball beyond which a bot boosts, and below which it spins, metres. */
+  private static final float BOOST_RANGE = 4;
+
+  private static final float SPIN_RANGE = 2.2f;
+
   private final Steering steering = new Steering();
   private boolean dawdles;
   private boolean jolted;
@@ -58,9 +65,11 @@ final class ArenaBrain extends GradedBrain {
     }
     Level.Zone theirs = goal(s, false);
     Level.Zone ours = goal(s, true);
-    Drawn ball = ballToChase(s);
+    Drawn ball = ballToChase(s, strength == Strength.STRONG ? ours : null);
     if (ball != null && theirs != null) {
       push(s, ball, theirs, out);
+      boost(s, ball, strength, out);
+      bend(s, ball, theirs, strength, out);
     } else if (ours != null && isKeeper(s, ours)) {
       keep(s, ours, out);
     } else {
@@ -99,17 +108,23 @@ final class ArenaBrain extends GradedBrain {
   /**
    * Returns the nearest ball with fewer than {@link #CHASERS} closer bots of the side, or null. In
    * a corner one is enough: two would be in each other's way.
+   *
+   * @param guarded a goal to which the ball should be near, too, or null
    */
-  private static Drawn ballToChase(Senses s) {
+  private static Drawn ballToChase(Senses s, Level.Zone guarded) {
     Drawn best = null;
-    float least = Float.MAX_VALUE;
+    double least = Double.MAX_VALUE;
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn ball = s.view().entity(i);
       float distance = s.distance(ball);
+      double value =
+          guarded == null
+              ? distance
+              : distance + Math.hypot(ball.x() - middleX(guarded), ball.y() - middleY(guarded)) / 2;
       if (ball.archetype().appearance().look() == Look.BALL
-          && distance < least
+          && value < least
           && closerMates(s, ball.x(), ball.y(), distance) < (isInCorner(s, ball) ? 1 : CHASERS)) {
-        least = distance;
+        least = value;
         best = ball;
       }
     }
@@ -156,6 +171,28 @@ final class ArenaBrain extends GradedBrain {
     out.hold(Input.ACTION, isBehind && distance < DASH_RANGE && !dashed);
     out.hold(
         Input.SECOND, isBehind && distance < JOLT_RANGE && !jolted && !s.isWall(-fromX, -fromY));
+  }
+
+  private void boost(Senses s, Drawn ball, Strength strength, Input out) {
+    out.hold(
+        ArenaGame.BOOSTS, strength != Strength.WEAK && !dawdles && s.distance(ball) > BOOST_RANGE);
+  }
+
+  /** Spins so that the ball curves towards the goal, where it would fly past it. */
+  private static void bend(Senses s, Drawn ball, Level.Zone goal, Strength strength, Input out) {
+    float shotX = ball.x() - s.own().x();
+    float shotY = ball.y() - s.own().y();
+    float toX = middleX(goal) - ball.x();
+    float toY = middleY(goal) - ball.y();
+    float side = shotX * toY - shotY * toX;
+    float length = (float) (Math.hypot(shotX, shotY) * Math.hypot(toX, toY));
+    boolean spins =
+        strength != Strength.WEAK
+            && s.distance(ball) < SPIN_RANGE
+            && shotX * toX + shotY * toY > 0
+            && Math.abs(side) > strength.of(1, 0.3f, 0.12f) * length; // sine of the miss
+    out.hold(ArenaGame.SPINS_LEFT, spins && side > 0);
+    out.hold(ArenaGame.SPINS_RIGHT, spins && side < 0);
   }
 
   /**

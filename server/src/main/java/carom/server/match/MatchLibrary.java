@@ -58,7 +58,8 @@ public interface MatchLibrary {
   static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons", "harbour", "lagoon", "orbit", "quarry", "sluice", "towers"))
+            Stream.of(
+                "commons", "harbour", "lagoon", "orbit", "quarry", "rink", "sluice", "towers"))
         .distinct()
         .filter(Level::isBuiltIn)
         .toList();

@@ -12,22 +12,30 @@ import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
 import carom.sim.field.PlayerRef;
+import carom.sim.field.Ratio;
 import carom.sim.field.Real;
 import java.util.List;
 
 /** The arena's state: all that it keeps from tick to tick beside bodies, teams and scores. */
-final class ArenaFields {
+public final class ArenaFields {
   /** Most balls at once. */
   static final int MAX_BALLS = 4;
 
   /** Most sparks at once. */
   static final int MAX_SPARKS = 16;
 
+  /**
+   * Boost that a disc has left, 0..1. Its steps are coarse, so that it changes, and is sent, a few
+   * times a second and not in every tick.
+   */
+  public static final Ratio BOOST = Field.ratio("boost", ArenaGame.BOOST_STEPS).startsAt(1);
+
   // Of a player. Input writes them, so that clients predict dashes and jolts.
   static final Countdown DASH = Field.countdown("dash"); // while it lasts
   static final Countdown DASH_WAIT = Field.countdown("dashWait"); // until the next one
   static final Real DASH_X = Field.real("dashX"); // where it goes
   static final Real DASH_Y = Field.real("dashY");
+  static final Countdown BURST = Field.countdown("burst"); // until the next step of boost is due
   static final Flag JOLTS = Field.flag("jolts"); // gives a jolt in this tick
   static final Countdown JOLT_WAIT = Field.countdown("joltWait");
 
@@ -78,6 +86,8 @@ final class ArenaFields {
         PLACE_X,
         PLACE_Y,
         UNTIL_STUCK,
-        GLOW);
+        GLOW,
+        BOOST,
+        BURST);
   }
 }

@@ -1,5 +1,7 @@
 package carom.game.arena;
 
+import static carom.game.arena.ArenaFields.BOOST;
+import static carom.game.arena.ArenaFields.BURST;
 import static carom.game.arena.ArenaFields.DASH;
 import static carom.game.arena.ArenaFields.DASH_WAIT;
 import static carom.game.arena.ArenaFields.DASH_X;
@@ -28,18 +30,20 @@ import java.util.List;
 
 /**
  * The arena, seen from above: two teams of discs, balls, two goals. A disc glides towards the
- * velocity its player asks for, F = k (v_goal - v), and dashes on {@link Input#ACTION}. On {@link
- * Input#SECOND} it gives a jolt along its aim: the first ball, disc or crate within {@value
- * #JOLT_RANGE} m is pushed away, as judged by what the player saw. A ball in the other team's goal
- * counts for the team and for the player who touched it last. The first team with {@value
- * #GOALS_TO_WIN} goals wins, or the one that leads after {@value #MATCH_SECONDS} s; then the room's
- * next match begins. A player who is alone practises: goals light lamps, but are forgotten when a
- * second player comes and the match begins. There is one ball for every {@value #PLAYERS_PER_BALL}
- * players.
+ * velocity its player asks for, F = k (v_goal - v), and dashes on {@link Input#ACTION}. {@link
+ * #BOOSTS} makes it faster while its store lasts, {@link #SPINS_LEFT} and {@link #SPINS_RIGHT} turn
+ * it, so that the ball it touches curves. On {@link Input#SECOND} it gives a jolt along its aim:
+ * the first ball, disc or crate within {@value #JOLT_RANGE} m is pushed away, as judged by what the
+ * player saw. A ball in the other team's goal counts for the team and for the player who touched it
+ * last. The first team with {@value #GOALS_TO_WIN} goals wins, or the one that leads after {@value
+ * #MATCH_SECONDS} s; then the room's next match begins. A player who is alone practises: goals
+ * light lamps, but are forgotten when a second player comes and the match begins. There is one ball
+ * for every {@value #PLAYERS_PER_BALL} players, beside the level's heavy ones.
  *
  * <p>A level needs zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
- * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
- * scored.
+ * defends it), and spawns {@code ball}. Each spawn {@code heavy ball} has a ball that weighs as
+ * much as three discs, and so moves them. Zones {@code lamps} for both teams get a lamp for each
+ * goal scored.
  *
  * <p>This class says what happens in which order; its parts say how.
  *
@@ -51,9 +55,19 @@ import java.util.List;
  *     Balls         kick-off, touches, what is stuck
  *     Goals         scores, lamps, the winner
  *     Jolts         pushes from afar, and their sparks
+ *     Spin          discs that turn balls, and balls that curve
  * </pre>
  */
 public final class ArenaGame implements Game {
+  /** The button that makes a disc faster, of {@link Input#buttons()}. */
+  public static final int BOOSTS = 1 << 5;
+
+  /** The button by which a ball that the disc touches curves to the left. */
+  public static final int SPINS_LEFT = 1 << 6;
+
+  /** The button by which a ball that the disc touches curves to the right. */
+  public static final int SPINS_RIGHT = 1 << 7;
+
   /** Number of goals that win a match. */
   public static final int GOALS_TO_WIN = 5;
 
@@ -65,6 +79,18 @@ public final class ArenaGame implements Game {
 
   /** Speed of a disc without a dash, m/s. */
   public static final float SPEED = 7.5f;
+
+  /** Speed of a disc that boosts, m/s. */
+  public static final float BOOST_SPEED = 12;
+
+  /** Time for which a full store of boost lasts, seconds. */
+  public static final float BOOST_SECONDS = 1;
+
+  /** Time in which an empty store is full again, seconds. */
+  public static final float BOOST_FILL_SECONDS = 5;
+
+  /** Number of steps in which a store of boost is spent and filled. */
+  static final int BOOST_STEPS = 20;
 
   /** Speed of a dash, m/s. */
   public static final float DASH_SPEED = 17;
@@ -98,6 +124,7 @@ public final class ArenaGame implements Game {
   private Goals goals;
   private Balls balls;
   private Jolts jolts;
+  private final Spin spin = new Spin();
 
   /** Creates the game, for the service loader. */
   public ArenaGame() {}
@@ -114,7 +141,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public String description() {
-    return "push the balls into the other side's goal: Space dashes, E jolts from afar";
+    return "push the balls into the other side's goal: dash, boost, bend them, jolt from afar";
   }
 
   @Override
@@ -206,14 +233,32 @@ public final class ArenaGame implements Game {
       s.emit(pitch.dash).at(body.x(), body.y()).of(p.entity()).by(p);
     }
     p.set(JOLTS, jolts);
+    float speed = boosts(s, p, in, length > 0.3f) ? BOOST_SPEED : SPEED;
     if (p.get(DASH) > 0) {
       float dashX = p.get(DASH_X) * DASH_SPEED;
       float dashY = p.get(DASH_Y) * DASH_SPEED;
       body.seekVelocity(dashX, dashY, DASH_STEER);
     } else {
-      body.seekVelocity(x * SPEED, y * SPEED, STEER);
+      body.seekVelocity(x * speed, y * speed, STEER);
     }
-    face(body, x, y, length);
+    if (in.held(SPINS_LEFT) != in.held(SPINS_RIGHT)) {
+      body.setAngularVelocity(in.held(SPINS_LEFT) ? -Spin.DISC : Spin.DISC);
+    } else {
+      face(body, x, y, length);
+    }
+  }
+
+  /** Burns or fills a player's store of boost, a step at a time; returns whether it boosts. */
+  private boolean boosts(Simulation s, Player p, Input in, boolean moves) {
+    float step = 1f / BOOST_STEPS;
+    if (p.get(BURST) == 0 && moves && in.held(BOOSTS) && p.get(BOOST) > 0) {
+      p.add(BOOST, -step);
+      p.set(BURST, s.ticks(BOOST_SECONDS * step));
+      s.emit(pitch.boost).at(p.entity().x(), p.entity().y()).of(p.entity()).by(p);
+    } else if (!in.held(BOOSTS) && s.tick() % s.ticks(BOOST_FILL_SECONDS * step) == 0) {
+      p.add(BOOST, step);
+    }
+    return p.get(BURST) > 0;
   }
 
   /** Turns a disc towards its movement. This is for the eye only: discs don't roll. */
@@ -226,6 +271,19 @@ public final class ArenaGame implements Game {
     float dot = body.cos() * x + body.sin() * y;
     float turn = dot < 0 && Math.abs(cross) < 0.5f ? (cross < 0 ? -0.5f : 0.5f) : cross;
     body.setAngularVelocity(14 * turn);
+  }
+
+  @Override
+  public void forces(Simulation s, Entity e) {
+    if (pitch.isBall(e)) {
+      spin.forces(e);
+    }
+  }
+
+  @Override
+  public boolean collision(Simulation s, Contact c) {
+    spin.collision(c);
+    return c.holdsOneWay();
   }
 
   @Override
@@ -243,12 +301,12 @@ public final class ArenaGame implements Game {
    * don't.
    */
   private boolean isHeard(Entity e) {
-    return e.archetype() == pitch.ball || e.isOwned();
+    return pitch.isBall(e) || e.isOwned();
   }
 
   @Override
   public Audience audience(Match m, Entity e) {
-    return e.archetype() == pitch.ball ? Audience.ALL : Audience.NEAR; // all know where to run
+    return pitch.isBall(e) ? Audience.ALL : Audience.NEAR; // all know where to run
   }
 
   @Override

@@ -20,6 +20,9 @@ final class Balls {
   /** Radius, m. */
   static final float RADIUS = 0.7f;
 
+  /** Radius of a heavy one, m. */
+  static final float HEAVY_RADIUS = 0.95f;
+
   /** Highest speed, m/s. */
   static final float MAX_SPEED = 32;
 
@@ -39,8 +42,8 @@ final class Balls {
 
   /** Kicks off each ball that is missing and whose time has come. */
   void kickOffMissing(Match m) {
-    int wanted = Math.min(MAX_BALLS, 1 + m.playerCount() / ArenaGame.PLAYERS_PER_BALL);
-    for (int i = 0; i < wanted; i++) {
+    int wanted = pitch.heavies + 1 + m.playerCount() / ArenaGame.PLAYERS_PER_BALL;
+    for (int i = 0; i < Math.min(MAX_BALLS, wanted); i++) {
       if (m.get(BALL, i) == null && m.get(BALL_WAIT, i) == 0) {
         kickOff(m, i);
       }
@@ -89,7 +92,7 @@ final class Balls {
 
   /** Returns whether a ball has stayed around one place for long since it was first played. */
   private boolean isStuck(Match m, int i, Entity e) {
-    Level.Spawn spot = pitch.kickOffs.get(i % pitch.kickOffs.size());
+    Level.Spawn spot = pitch.kickOff(i);
     float dx = e.x() - e.get(PLACE_X);
     float dy = e.y() - e.get(PLACE_Y);
     boolean moved = dx * dx + dy * dy > STUCK_RADIUS * STUCK_RADIUS;
@@ -119,8 +122,9 @@ final class Balls {
   }
 
   private void kickOff(Match m, int i) {
-    Level.Spawn spot = pitch.kickOffs.get(i % pitch.kickOffs.size());
-    Entity e = m.spawn(pitch.ball, spot.x(), spot.y(), 0, null);
+    Level.Spawn spot = pitch.kickOff(i);
+    Entity e =
+        m.spawn(i < pitch.heavies ? pitch.heavyBall : pitch.ball, spot.x(), spot.y(), 0, null);
     e.set(UNTIL_STUCK, m.ticks(STUCK_SECONDS));
     m.set(BALL, i, e);
   }

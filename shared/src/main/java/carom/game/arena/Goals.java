@@ -86,6 +86,19 @@ final class Goals {
     }
     String result = winner == 0 ? "A draw, " : Pitch.TEAM_NAMES[winner] + " wins ";
     m.notice(result + red + " : " + blue + "!");
+    m.notice(reason(m, Math.max(red, blue)));
+  }
+
+  /** Returns why the match is over, and who scored most. */
+  private static String reason(Match m, int most) {
+    Player best = null;
+    for (Player p : m.players()) {
+      best = best == null || m.score(p) > m.score(best) ? p : best;
+    }
+    return (most < ArenaGame.GOALS_TO_WIN ? "Time was up" : most + " goals win")
+        + (best == null || m.score(best) == 0
+            ? ""
+            : "; " + m.name(best) + " scored most: " + m.score(best));
   }
 
   /** Places one lamp for each goal that wins, and lights one for each goal scored. */

@@ -4,12 +4,14 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.SetUp;
+import carom.sim.entity.Entity;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -38,14 +40,24 @@ final class Pitch {
   final Level.Zone[] homes = new Level.Zone[TEAMS + 1];
 
   final Archetype ball;
+
+  /** Null if the level has none. */
+  final Archetype heavyBall;
+
   final Archetype spark;
   final EventKind hit;
   final EventKind dash;
   final EventKind jolt;
   final EventKind joltHit;
   final EventKind goal;
+  final EventKind boost;
   final List<Level.Zone> goals;
-  final List<Level.Spawn> kickOffs;
+
+  /** Where balls are kicked off, heavy ones first. */
+  final List<Level.Spawn> kickOffs = new ArrayList<>();
+
+  /** Number of the first balls that are heavy. */
+  final int heavies;
 
   /** Declares the kinds, and finds the zones of the level. */
   Pitch(SetUp s) {
@@ -90,14 +102,30 @@ final class Pitch {
     joltHit = s.event("jolt hit", 0xfff6c8, 2, "", Sound.KNOCK, ArenaGame.JOLT_IMPULSE);
     goal = s.event("goal", 0xffe08a, 6, "GOAL", Sound.FANFARE, 0);
     goals = s.level().zones("goal");
-    kickOffs = s.level().spawns("ball");
+    boost = s.event("boost", 0x9ad1ff, 0, "", Sound.WHOOSH, 0);
+    kickOffs.addAll(s.level().spawns("heavy ball"));
+    heavies = kickOffs.size();
+    kickOffs.addAll(s.level().spawns("ball"));
+    heavyBall =
+        heavies == 0
+            ? null
+            : s.archetype(
+                new ArchetypeDef("heavy ball") // weighs 2.8 discs: one that rolls moves them
+                    .shape(new Circle(Balls.HEAVY_RADIUS), new Material(1.1f, 0.3f, 0.5f))
+                    .linearDamping(0.35f)
+                    .angularDamping(0.8f)
+                    .appearance(Appearance.of(0xb8c4d6, Appearance.Look.BALL)));
     for (Level.Zone home : s.level().zones("home")) {
       if (home.team() >= 1 && home.team() <= TEAMS) {
         homes[home.team()] = home;
       }
     }
     require(s, goals.size() >= TEAMS, "zones named \"goal\" of teams 1 and 2");
-    require(s, !kickOffs.isEmpty(), "a spawn named \"ball\"");
+    require(s, kickOffs.size() > heavies, "a spawn named \"ball\"");
+    require(
+        s,
+        heavies < ArenaFields.MAX_BALLS,
+        "fewer than " + ArenaFields.MAX_BALLS + " spawns named \"heavy ball\"");
     require(s, homes[1] != null && homes[2] != null, "zones named \"home\" of teams 1 and 2");
   }
 
@@ -106,6 +134,17 @@ final class Pitch {
       throw new IllegalArgumentException(
           "level \"" + s.level().name() + "\" can't be played as arena: it needs " + what);
     }
+  }
+
+  /** Returns whether an entity is a ball of any weight. */
+  boolean isBall(Entity e) {
+    return e.archetype() == ball || (heavyBall != null && e.archetype() == heavyBall);
+  }
+
+  /** Returns where a ball is kicked off, 0..{@link ArenaFields#MAX_BALLS} - 1. */
+  Level.Spawn kickOff(int ball) {
+    return kickOffs.get(
+        ball < heavies ? ball : heavies + (ball - heavies) % (kickOffs.size() - heavies));
   }
 
   /** Returns whether a place is inside a goal. */

@@ -3,7 +3,8 @@ package carom.client.bots;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Entity;
 import carom.sim.entity.HostPlayer;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Goal: bots of {@code arena} play it as well as they should. Method: {@link BotMatch}. */
 final class ArenaBotTest {
@@ -17,7 +18,7 @@ final class ArenaBotTest {
         public int state(SimulationHost s) {
           int state = 0;
           for (Entity e : s.entities()) {
-            if (e.archetype().name().equals("ball")) {
+            if (e.archetype().name().endsWith("ball")) {
               state += Math.round(e.x() / CELL) + 1_000 * Math.round(e.y() / CELL);
             }
           }
@@ -30,8 +31,15 @@ final class ArenaBotTest {
         }
       };
 
-  @Test
-  void theStrongBeatTheWeakAndNobodyIsBoredOrStuck() {
-    BotMatch.requireGoodPlay("arena", 40, ArenaBrain::new, JUDGE);
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "rink"})
+  void theStrongBeatTheWeakAndNobodyIsBoredOrStuck(String level) {
+    BotMatch.requireGoodPlay(level, 40, ArenaBrain::new, JUDGE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "rink"})
+  void boostAndBentBallsArePredicted(String level) {
+    BotMatch.requireGoodPrediction(level, 2, ArenaBrain::new, players -> 94);
   }
 }

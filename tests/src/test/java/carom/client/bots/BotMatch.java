@@ -124,8 +124,14 @@ final class BotMatch {
       }
       isOver = !MatchClock.isPlaying(s);
       int ahead = judge.points(s.player(0)) - judge.points(s.player(1));
-      winner = isOver ? MatchClock.winner(s) : ahead > 0 ? 0 : ahead < 0 ? 1 : -1;
+      winner = isOver ? winner(s) : ahead > 0 ? 0 : ahead < 0 ? 1 : -1;
     }
+  }
+
+  /** Returns the player who won, also as the only one of its team, or -1. */
+  private static int winner(SimulationHost s) {
+    int team = MatchClock.winningTeam(s);
+    return team == 0 ? MatchClock.winner(s) : s.player(0).team() == team ? 0 : 1;
   }
 
   @Override

@@ -15,6 +15,7 @@ import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Input;
+import carom.sim.level.Level;
 import carom.sim.outbox.NextMatch;
 import java.util.ArrayList;
 import java.util.List;
@@ -104,6 +105,103 @@ class ArenaGameTest {
     p.input().hold(Input.ACTION, true);
     run(5);
     assertEquals(0, b.velocityY(), 0.5f, "too early");
+  }
+
+  @Test
+  void boostIsFasterUntilTheStoreIsEmptyAndFillsAgain() {
+    HostPlayer p = s.join("ann");
+    put(p.entity(), -16, 0);
+    p.input().move(1, 0).hold(ArenaGame.BOOSTS, true);
+    run(40);
+    assertEquals(ArenaGame.BOOST_SPEED, p.entity().velocityX(), 0.3f);
+    assertEquals(0.3f, p.get(ArenaFields.BOOST), 0.051f);
+    put(p.entity(), -16, 0);
+    run(80);
+    assertEquals(ArenaGame.SPEED, p.entity().velocityX(), 0.3f, "the store is empty");
+    assertEquals(0, p.get(ArenaFields.BOOST));
+    p.input().move(0, 0).hold(ArenaGame.BOOSTS, false);
+    run(150);
+    assertEquals(0.5f, p.get(ArenaFields.BOOST), 0.051f);
+    run(160);
+    assertEquals(1, p.get(ArenaFields.BOOST));
+  }
+
+  /** Returns how far to the left of its way a ball is that a disc pushed to the right. */
+  private float bend(int buttons) {
+    HostPlayer p = s.player(0);
+    put(ball(), -8, 0);
+    ball().body().setAngularVelocity(0);
+    put(p.entity(), -10, 0);
+    p.input().move(1, 0).buttons(buttons | Input.ACTION);
+    run(15);
+    p.input().move(-1, 0).buttons(0);
+    run(45);
+    assertTrue(ball().x() > 0, "x=" + ball().x());
+    float y = ball().y();
+    run(60);
+    return y;
+  }
+
+  @Test
+  void aSpinningDiscBendsTheWayOfTheBall() {
+    s.join("ann");
+    run(2);
+    float straight = bend(0);
+    float left = bend(ArenaGame.SPINS_LEFT);
+    float right = bend(ArenaGame.SPINS_RIGHT);
+    String all = "left=" + left + " straight=" + straight + " right=" + right;
+    assertTrue(left > straight + 1 && right < straight - 1, all);
+    assertEquals(straight, bend(ArenaGame.SPINS_LEFT | ArenaGame.SPINS_RIGHT), 0.3f, all);
+  }
+
+  @Test
+  void frictionAtAWallTurnsSpinIntoSpeed() {
+    s.join("ann");
+    run(2);
+    float[] along = new float[2];
+    for (int i = 0; i < 2; i++) {
+      put(ball(), -2, 10.2f);
+      ball().body().setAngularVelocity(i == 0 ? -50 : 50);
+      ball().body().setVelocity(0, 8);
+      run(4);
+      along[i] = ball().velocityX();
+      assertEquals(0, Math.abs(ball().angularVelocity()), 45, "the wall took some of it");
+    }
+    assertTrue(along[0] < -1.5f && along[1] > 1.5f, along[0] + " " + along[1]);
+  }
+
+  @Test
+  void aHeavyBallMovesADiscAndALightOneHardlyDoes() throws Exception {
+    SimulationHost rink =
+        new SimulationHost(new ArenaGame(), Level.builtIn("rink"), 1, 60, Role.AUTHORITY);
+    HostPlayer p = rink.join("ann");
+    rink.step();
+    float[] pushed = new float[2];
+    for (HostEntity ball : List.copyOf(balls(rink))) {
+      put(p.entity(), 0, 0);
+      ball.body().setPose(-3, 0, 0);
+      ball.body().setVelocity(12, 0);
+      float fastest = 0;
+      for (int i = 0; i < 20; i++) {
+        rink.step();
+        fastest = Math.max(fastest, p.entity().velocityX());
+      }
+      ball.body().setPose(0, 8, 0);
+      ball.body().setVelocity(0, 0);
+      pushed[ball.archetype().name().equals("heavy ball") ? 1 : 0] = fastest;
+    }
+    assertTrue(pushed[1] > 10 && pushed[1] > 1.5f * pushed[0], pushed[1] + " " + pushed[0]);
+  }
+
+  private static List<HostEntity> balls(SimulationHost of) {
+    List<HostEntity> balls = new ArrayList<>();
+    for (int id = 0; id < of.entityCapacity(); id++) {
+      if (of.entity(id) != null && of.entity(id).archetype().name().endsWith("ball")) {
+        balls.add(of.entity(id));
+      }
+    }
+    assertEquals(2, balls.size());
+    return balls;
   }
 
   @Test

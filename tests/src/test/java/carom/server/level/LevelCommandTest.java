@@ -38,6 +38,7 @@ final class LevelCommandTest {
     for (String name :
         List.of(
             "arena",
+            "rink",
             "platformer",
             "rockets",
             "orbit",

@@ -378,6 +378,7 @@ class LevelTest {
     for (String name :
         List.of(
             "arena",
+            "rink",
             "cars",
             "quarry",
             "harbour",

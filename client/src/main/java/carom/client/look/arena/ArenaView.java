@@ -1,10 +1,15 @@
 package carom.client.look.arena;
 
+import carom.client.look.Action;
 import carom.client.look.GameView;
+import carom.client.look.HudItem;
 import carom.client.look.Particles;
 import carom.client.look.Shake;
 import carom.client.look.SoundFile;
 import carom.client.look.ViewSetup;
+import carom.game.arena.ArenaFields;
+import carom.game.arena.ArenaGame;
+import carom.sim.entity.Input;
 
 /**
  * The look of {@code ArenaGame}: its shapes as they are, with a moment for each goal, in which the
@@ -81,6 +86,16 @@ public final class ArenaView implements GameView {
 
   @Override
   public void setUp(ViewSetup v) {
+    v.actions(
+        Action.moveX("left", "right").keys("A", "D").keys("Left", "Right").stick("left"),
+        Action.moveY("down", "up").keys("S", "W").keys("Down", "Up").stick("left"),
+        Action.aim("aim").mouse("pointer").stick("right"),
+        Action.button("dash", Input.ACTION).key("Space").mouse("left").pad("A"),
+        Action.button("jolt", Input.SECOND).key("E").mouse("right").pad("B"),
+        Action.button("boost", ArenaGame.BOOSTS).key("L-Shift", "R-Shift").pad("R1"),
+        Action.button("bend left", ArenaGame.SPINS_LEFT).key("Q").pad("X"),
+        Action.button("bend right", ArenaGame.SPINS_RIGHT).key("R").pad("Y"));
+    v.hud(HudItem.bar("boost", ArenaFields.BOOST).colour(0x4cc9f0));
     v.event(
         "goal",
         SoundFile.of("/carom/client/look/cars/lap.wav", "/carom/client/look/cars/flip.wav"),
@@ -92,6 +107,9 @@ public final class ArenaView implements GameView {
     v.event("jolt", ARCS);
     v.event("jolt hit", ARCS, GRIT, Shake.by(0.1f));
     v.blow("ball", GRIT);
+    v.event("boost", WAKE);
     v.trail("ball", STREAK);
+    v.trail("heavy ball", STREAK);
+    v.blow("heavy ball", GRIT, SoundFile.of("/carom/client/look/cars/land2.wav").volume(0.4f));
   }
 }
