@@ -5,10 +5,13 @@ import carom.client.look.GameViews;
 import carom.client.look.ViewSetup;
 import carom.game.GameFault;
 import carom.text.Suggestion;
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.List;
 import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.slf4j.event.Level;
 
 /**
  * The look of the game that is shown: what its view declares, or nothing for a game without a view
@@ -60,29 +63,39 @@ public final class ShownLook {
   }
 
   /**
-   * Logs what the view declares for things that there aren't, such as a sprite whose archetype has
-   * a mistyped name. Call it for each level: a view may name pieces of another one.
+   * Logs what the view declares for things that there aren't. A mistyped name is a warning: one
+   * near to that of a thing for which the view declares nothing. Any other may be of another level,
+   * and is told at debug only. Events are the game's, so each that is missing is a warning.
    *
    * @param things names of the game's archetypes and of the level's pieces
    * @param events names of the game's kinds of events
-   * @return the number of names that nothing has
+   * @return the number of warnings
    */
   public int check(Collection<String> things, Collection<String> events) {
-    return check(
-            setup.things(), things, "neither an archetype of the game nor a piece of the level")
-        + check(setup.events(), events, "no event of the game");
-  }
-
-  private int check(Collection<String> named, Collection<String> there, String problem) {
-    int missing = 0;
-    for (String name : named) {
-      if (!there.contains(name)) {
-        missing++;
-        String near = Suggestion.didYouMean(name, there);
-        LOG.warn("the view of game {} names \"{}\", which is {}{}", game, name, problem, near);
+    int warnings = 0;
+    List<String> unnamed = new ArrayList<>(things);
+    unnamed.removeAll(setup.things());
+    for (String name : setup.things()) {
+      String near = Suggestion.didYouMean(name, unnamed);
+      if (!things.contains(name)) {
+        warnings += near.isEmpty() ? 0 : 1;
+        LOG.atLevel(near.isEmpty() ? Level.DEBUG : Level.WARN)
+            .log(
+                "the view of game {} names \"{}\", which is neither an archetype of the game nor a"
+                    + " piece of this level{}",
+                game,
+                name,
+                near);
       }
     }
-    return missing;
+    for (String name : setup.events()) {
+      if (!events.contains(name)) {
+        warnings++;
+        String near = Suggestion.didYouMean(name, events);
+        LOG.warn("the view of game {} names \"{}\", which is no event of it{}", game, name, near);
+      }
+    }
+    return warnings;
   }
 
   /** Returns the class beside which the view's files are; null without a view. */
