@@ -41,7 +41,7 @@ final class Pitch {
 
   final Archetype ball;
 
-  /** Null if the level has none. */
+  /** A heavy ball; null if the level has none. */
   final Archetype heavyBall;
 
   final Archetype spark;
@@ -53,7 +53,7 @@ final class Pitch {
   final EventKind boost;
   final List<Level.Zone> goals;
 
-  /** Where balls are kicked off, heavy ones first. */
+  /** Places where balls are kicked off, heavy ones first. */
   final List<Level.Spawn> kickOffs = new ArrayList<>();
 
   /** Number of the first balls that are heavy. */
