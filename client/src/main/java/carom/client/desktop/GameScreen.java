@@ -284,6 +284,9 @@ final class GameScreen extends ScreenAdapter {
   /** Returns the keys of the game, the ones a newcomer needs first. */
   private List<Hint> keyHints() {
     List<Hint> hinted = new ArrayList<>();
+    if (keys.actions().stream().noneMatch(a -> a.kind() == Action.Kind.MOVE_X)) {
+      hinted.add(usualMoves());
+    }
     for (Action action : keys.actions()) {
       for (Action.Binding binding : action.bindings()) {
         if (!keys.names(binding).isEmpty()) {
@@ -291,8 +294,10 @@ final class GameScreen extends ScreenAdapter {
         }
       }
     }
-    if (hinted.isEmpty()) {
-      hinted.addAll(usualHints());
+    if (keys.actions().isEmpty()) {
+      hinted.add(new Hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()));
+      hinted.add(
+          new Hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()));
     }
     hinted.addAll(
         List.of(
@@ -307,7 +312,7 @@ final class GameScreen extends ScreenAdapter {
     return hinted;
   }
 
-  private List<Hint> usualHints() {
+  private Hint usualMoves() {
     String move =
         String.join(
             " ",
@@ -315,10 +320,7 @@ final class GameScreen extends ScreenAdapter {
             keys.first(KeyAction.LEFT),
             keys.first(KeyAction.DOWN),
             keys.first(KeyAction.RIGHT));
-    return List.of(
-        new Hint(move + ", pad", "move"),
-        new Hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()),
-        new Hint(keys.first(KeyAction.SECOND) + ", right click", KeyAction.SECOND.label()));
+    return new Hint(move + ", pad", "move");
   }
 
   @Override

@@ -24,7 +24,7 @@ final class KeyHints {
 
   private static final float SHOWN_SECONDS = 12;
   private static final float PAD = 10;
-  private static final float LINE = 17;
+  private static final float LINE = 15;
   private static final float KEY_WIDTH = 128;
   private static final float WIDTH = 250;
 

@@ -141,7 +141,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public String description() {
-    return "push the balls into the other side's goal: dash, boost, bend them, jolt from afar";
+    return "push the balls into the other side's goal";
   }
 
   @Override

@@ -87,9 +87,6 @@ public final class ArenaView implements GameView {
   @Override
   public void setUp(ViewSetup v) {
     v.actions(
-        Action.moveX("left", "right").keys("A", "D").keys("Left", "Right").stick("left"),
-        Action.moveY("down", "up").keys("S", "W").keys("Down", "Up").stick("left"),
-        Action.aim("aim").mouse("pointer").stick("right"),
         Action.button("dash", Input.ACTION).key("Space").mouse("left").pad("A"),
         Action.button("jolt", Input.SECOND).key("E").mouse("right").pad("B"),
         Action.button("boost", ArenaGame.BOOSTS).key("L-Shift", "R-Shift").pad("R1"),
