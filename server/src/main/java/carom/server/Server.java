@@ -23,6 +23,7 @@ import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
+import carom.server.room.BotCrew;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
@@ -375,6 +376,11 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
    */
   public void accounts(AccountService service) {
     directory.accounts(service);
+  }
+
+  /** Sets what plays bots for rooms, see {@link ServerConfig#BOTS}; before the first turn. */
+  public void bots(BotCrew crew) {
+    directory.bots(crew);
   }
 
   /**
@@ -884,6 +890,9 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
     }
     disk.close();
     rooms.forEach(Room::letAccountsGo);
+    if (directory.bots() != null) {
+      directory.bots().close();
+    }
     if (directory.uploads() != null) {
       directory.uploads().close();
     }

@@ -31,6 +31,7 @@ import carom.server.lobby.Lobby;
 import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
+import carom.server.room.BotCrew;
 import carom.server.session.Ownership;
 import carom.server.session.SessionMemory;
 import carom.server.thin.plain.PlainDoor;
@@ -42,6 +43,7 @@ import carom.text.FileErrors;
 import com.sun.management.UnixOperatingSystemMXBean;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
@@ -49,6 +51,7 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.slf4j.Logger;
 
@@ -133,6 +136,7 @@ final class ServerStart {
     compareWithOpenFiles(RoomConfig.places(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
     try {
+      server.bots(bots());
       demandPassword();
       remember();
       keep();
@@ -358,6 +362,33 @@ final class ServerStart {
   int progress() {
     Server begun = server;
     return steps.get() + (begun == null ? 0 : (int) begun.count(Counter.TICKS_REPLAYED));
+  }
+
+  /** Returns what plays bots: clients that come to this server's own ports. */
+  private BotCrew bots() {
+    String problem = config.get(ServerConfig.BOTS).isEmpty() ? null : BotProcess.problem();
+    if (problem != null) {
+      throw flags.bad(problem);
+    }
+    InetAddress here =
+        flags.bindAddresses().stream()
+            .filter(address -> !address.isAnyLocalAddress())
+            .findFirst()
+            .orElse(InetAddress.getLoopbackAddress());
+    String address = here.getHostAddress();
+    List<String> own = new ArrayList<>();
+    own.add("--host");
+    own.add(
+        (here instanceof Inet6Address ? "[" + address + "]" : address)
+            + (":" + server.tcpPort() + "/" + server.udpPort()));
+    own.addAll(
+        List.of(
+            "--encryption", flags.get(ServerConfig.ENCRYPTION).name().toLowerCase(Locale.ROOT)));
+    if (config.get(ServerConfig.DEV)) {
+      own.add("--dev");
+    }
+    Path logs = flags.dataFolder().logs();
+    return new BotProcess(own, Files.isDirectory(logs) ? logs.resolve("bots.log") : null);
   }
 
   private void demandPassword() throws StartFailure {

@@ -1,17 +1,9 @@
 package carom.options;
 
-import java.io.File;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.net.MalformedURLException;
-import java.net.URISyntaxException;
-import java.net.URL;
-import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * Access to the laboratory: the code that measures Carom and is no part of any server or client. An
@@ -34,12 +26,12 @@ public final class Lab {
    */
   public static <T> T create(Class<T> type, String className) {
     try {
-      Class<?> found = Class.forName(className, true, loader());
+      Class<?> found = Class.forName(className, true, Installation.loader(jars()));
       return type.cast(found.getConstructor().newInstance());
     } catch (ClassNotFoundException e) {
       throw new IllegalStateException(
           "folder="
-              + home().resolve(FOLDER)
+              + Installation.lib().resolve(FOLDER)
               + " has no "
               + className
               + "; the laboratory comes with ./gradlew installDist",
@@ -54,22 +46,7 @@ public final class Lab {
    * laboratory's jars.
    */
   public static String classPath() {
-    StringBuilder path = new StringBuilder(System.getProperty("java.class.path"));
-    jars().forEach(jar -> path.append(File.pathSeparator).append(jar));
-    return path.toString();
-  }
-
-  private static ClassLoader loader() {
-    List<URL> urls = new ArrayList<>();
-    try {
-      for (Path jar : jars()) {
-        urls.add(jar.toUri().toURL());
-      }
-    } catch (MalformedURLException e) {
-      throw new IllegalStateException(e); // can't happen for a file
-    }
-    ClassLoader ours = Lab.class.getClassLoader();
-    return urls.isEmpty() ? ours : new URLClassLoader(urls.toArray(new URL[0]), ours);
+    return Installation.classPath(jars());
   }
 
   /**
@@ -77,30 +54,12 @@ public final class Lab {
    * clients together.
    */
   private static List<Path> jars() {
-    Path folder = home().resolve(FOLDER);
+    Path folder = Installation.lib().resolve(FOLDER);
     if (!Files.isDirectory(folder)) {
       return List.of();
     }
-    List<Path> jars = new ArrayList<>(jarsOf(folder));
-    jars.addAll(jarsOf(home()));
+    List<Path> jars = new ArrayList<>(Installation.jarsOf(folder));
+    jars.addAll(Installation.jarsOf(Installation.lib()));
     return jars;
-  }
-
-  private static List<Path> jarsOf(Path folder) {
-    try (Stream<Path> files = Files.list(folder)) {
-      return files.filter(file -> file.toString().endsWith(".jar")).sorted().toList();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  /** Returns the folder {@code lib} of an installation. */
-  private static Path home() {
-    try {
-      URL ours = Lab.class.getProtectionDomain().getCodeSource().getLocation();
-      return Path.of(ours.toURI()).toAbsolutePath().getParent();
-    } catch (URISyntaxException e) {
-      throw new IllegalStateException(e); // can't happen, the JVM made the location
-    }
   }
 }

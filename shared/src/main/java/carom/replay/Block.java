@@ -23,7 +23,10 @@ public enum Block {
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
   /** Version of the file format. Every change of the format raises it. */
-  static final int VERSION = 5;
+  static final int VERSION = 6;
+
+  /** The oldest version that is read: it lacks {@link #KEEP}. */
+  static final int OLDEST_VERSION = 5;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;
@@ -49,6 +52,7 @@ public enum Block {
   static final int WATCH = 6;
   static final int ROLE = 7;
   static final int ACCOUNT = 8;
+  static final int KEEP = 9;
 
   private static final Block[] ALL = values();
 

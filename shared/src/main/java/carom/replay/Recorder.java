@@ -180,20 +180,33 @@ public final class Recorder implements Journal {
     if (stopped) {
       return;
     }
-    int[] values = newcomer.values();
-    if (!newcomer.account().isEmpty() || values != null) {
+    if (!newcomer.account().isEmpty() || newcomer.values() != null) {
       out.u8(Block.ACCOUNT);
       out.text(newcomer.account());
-      out.varint(values == null ? 0 : values.length);
-      for (int i = 0; values != null && i < values.length; i++) {
-        out.varint(zigzag(values[i]));
-      }
+      writeValues(newcomer.values());
     }
     out.u8(how);
     out.varint(id);
     out.text(newcomer.name());
     inputs[id] = 0;
     viewDelays[id] = 0;
+  }
+
+  private void writeValues(int[] values) {
+    out.varint(values == null ? 0 : values.length);
+    for (int i = 0; values != null && i < values.length; i++) {
+      out.varint(zigzag(values[i]));
+    }
+  }
+
+  @Override
+  public void keeping(SimulationHost s, int id, int[] values) {
+    if (stopped) {
+      return;
+    }
+    out.u8(Block.KEEP);
+    out.varint(id);
+    writeValues(values);
   }
 
   @Override

@@ -40,6 +40,8 @@ public final class RecordingReader implements AutoCloseable {
     WATCH,
     /** The participant {@link #playerId} gets the role {@link #role}. */
     ROLE,
+    /** The participant {@link #playerId} gets back what its account has {@link #kept}. */
+    KEEP,
     /** The player {@link #playerId} leaves. */
     LEAVE,
     /** The player {@link #playerId} has sent the message {@link #message}, for the next step. */
@@ -94,6 +96,7 @@ public final class RecordingReader implements AutoCloseable {
   private int playerId;
   private Newcomer newcomer = Newcomer.stranger("");
   private PlayerRole role;
+  private int[] kept = {};
   private byte[] message = {};
   private final long[] inputs = new long[SimulationHost.MAX_PLAYERS];
   private final int[] viewDelays = new int[SimulationHost.MAX_PLAYERS];
@@ -128,12 +131,14 @@ public final class RecordingReader implements AutoCloseable {
       throw new RecordingException(name + " is no recording: it doesn't begin with CAROMREC");
     }
     int version = preamble.getInt(8);
-    if (version != Block.VERSION) {
+    if (version < Block.OLDEST_VERSION || version > Block.VERSION) {
       throw new RecordingException(
           name
               + " has format version="
               + version
               + ", this build reads "
+              + Block.OLDEST_VERSION
+              + ".."
               + Block.VERSION
               + "; play it with the build that recorded it");
     }
@@ -256,13 +261,12 @@ public final class RecordingReader implements AutoCloseable {
         if (account.length() > Newcomer.MAX_ACCOUNT) {
           throw new RecordingException("damaged: an account of characters=" + account.length());
         }
-        int count = block.varint("values of an account", 0, Scope.ACCOUNT.mostWords());
-        int[] lasting = count == 0 ? null : new int[count];
-        for (int i = 0; i < count; i++) {
-          long value = block.varint();
-          lasting[i] = (int) (value >>> 1) ^ -((int) value & 1);
-        }
+        int[] lasting = readValues();
         return readNewcomer(block.u8(), account, lasting);
+      case Block.KEEP:
+        playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
+        kept = readValues();
+        return Entry.KEEP;
       case Block.ROLE:
         playerId = block.varint("player", 0, SimulationHost.MAX_PLAYERS - 1);
         role = PlayerRole.values()[block.varint("role", 0, PlayerRole.values().length - 1)];
@@ -295,6 +299,17 @@ public final class RecordingReader implements AutoCloseable {
       default:
         throw new RecordingException("damaged: unknown entry=" + tag);
     }
+  }
+
+  /** Reads what an account has kept, null for nothing. */
+  private int[] readValues() throws RecordingException {
+    int count = block.varint("values of an account", 0, Scope.ACCOUNT.mostWords());
+    int[] values = count == 0 ? null : new int[count];
+    for (int i = 0; i < count; i++) {
+      long value = block.varint();
+      values[i] = (int) (value >>> 1) ^ -((int) value & 1);
+    }
+    return values;
   }
 
   private Entry readNewcomer(int tag, String account, int[] values) throws RecordingException {
@@ -464,6 +479,11 @@ public final class RecordingReader implements AutoCloseable {
   /** Returns the player or spectator who enters. */
   public Newcomer newcomer() {
     return newcomer;
+  }
+
+  /** Returns what the account of a participant has kept, null for nothing; never changed. */
+  public int[] kept() {
+    return kept;
   }
 
   /** Returns the role that a participant gets. */

@@ -131,6 +131,7 @@ public final class Replay {
         case JOIN -> join();
         case WATCH -> watch();
         case ROLE -> simulation.role(player(reader.playerId(), "changes"), reader.role());
+        case KEEP -> keep();
         case LEAVE -> leave();
         case MESSAGE -> message();
         case TICK -> begin();
@@ -172,6 +173,16 @@ public final class Replay {
     compute();
     if (simulation.participant(reader.playerId()) != null) {
       throw contradicts("player " + reader.playerId() + " joins twice");
+    }
+  }
+
+  private void keep() throws RecordingException {
+    HostPlayer player = player(reader.playerId(), "gets back what it has");
+    int[] values = reader.kept() == null ? new int[0] : reader.kept();
+    try {
+      simulation.keep(player, values);
+    } catch (IllegalArgumentException e) {
+      throw contradicts("player " + player.id() + " gets back what it can't: " + e.getMessage());
     }
   }
 

@@ -26,6 +26,9 @@ public interface Journal {
    */
   default void changing(SimulationHost s, int id, PlayerRole role) {}
 
+  /** Receives a participant who is about to get back what an account has kept. */
+  default void keeping(SimulationHost s, int id, int[] values) {}
+
   /** Receives a participant who is about to leave, before {@link Game#leave}. */
   default void leaving(SimulationHost s, int id) {}
 

@@ -45,6 +45,13 @@ final class Journals implements Journal {
   }
 
   @Override
+  public void keeping(SimulationHost s, int id, int[] values) {
+    for (int i = 0; i < all.size(); i++) {
+      all.get(i).keeping(s, id, values);
+    }
+  }
+
+  @Override
   public void leaving(SimulationHost s, int id) {
     for (int i = 0; i < all.size(); i++) {
       all.get(i).leaving(s, id);

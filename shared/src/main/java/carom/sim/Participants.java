@@ -102,6 +102,18 @@ final class Participants {
     }
   }
 
+  /** Gives back what an account has kept, as {@link SimulationHost#keep} says. */
+  void keep(HostPlayer participant, int[] values) {
+    parts.phases.requireAuthority("keep");
+    if (!isBetweenSteps()) {
+      throw new IllegalStateException("what " + participant + " keeps can't change within a step");
+    }
+    if (players.participant(participant.id()) == participant) {
+      parts.journals.keeping(simulation, participant.id(), values);
+      participant.fieldValues().begin(values);
+    }
+  }
+
   /** Removes a participant, as {@link SimulationHost#leave} says. */
   void leave(HostPlayer player) {
     parts.phases.requireOutsidePhysics("leave");

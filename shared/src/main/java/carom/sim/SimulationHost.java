@@ -465,6 +465,18 @@ public final class SimulationHost implements Match, Rules {
   }
 
   /**
+   * Gives a participant back what an account has kept, between two steps: what has changed since
+   * doesn't count. Nothing happens when the participant is gone.
+   *
+   * @param values in the order of {@link Schema#lastingWords}
+   * @throws IllegalStateException on {@link Role#PREDICTION}, or within a step
+   * @throws IllegalArgumentException if they are none of this game
+   */
+  public void keep(HostPlayer participant, int[] values) {
+    participants.keep(participant, values);
+  }
+
+  /**
    * Removes a player or spectator and despawns everything the player owns. Nothing happens when it
    * is gone already.
    */

@@ -33,7 +33,7 @@ final class AccountRig implements AutoCloseable {
   long nowNs;
 
   /** The game that is played if it isn't installed, or null. */
-  private Game game;
+  Game game;
 
   /**
    * Starts a server.

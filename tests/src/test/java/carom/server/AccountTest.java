@@ -1,6 +1,7 @@
 package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -8,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
@@ -15,12 +17,17 @@ import carom.server.account.MemoryAccounts;
 import carom.server.command.AccountCommands;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;
+import carom.server.config.BotRule;
+import carom.server.config.ServerConfig;
+import carom.server.match.HandedInMatch;
+import carom.server.session.Session;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
 import carom.sim.entity.Newcomer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
@@ -295,5 +302,83 @@ final class AccountTest {
       }
       assertEquals(coins, most);
     }
+  }
+
+  @Test
+  void whatABotEarnsInTheSeatOfAPlayerIsNotThePlayers() throws Exception {
+    Path file = folder.resolve("bots.carom");
+    int kept;
+    try (AccountRig rig =
+        new AccountRig(
+            store,
+            null,
+            folder,
+            1_000_000_000L,
+            ServerConfig.defaults().with(ServerConfig.BOTS, List.of(BotRule.parse("2"))),
+            "earn",
+            new HandedInMatch(EarnGame::new, EarnGame.level()),
+            "cup")) {
+      rig.game = new EarnGame();
+      List<String> tokens = new ArrayList<>();
+      rig.server.bots((token, strength) -> tokens.add(token));
+      rig.server.record(file);
+      FakeClient ann = rig.join("1", "cup");
+      rig.join("2", "cup");
+      earn(rig, ann, 30);
+      Session seat = rig.session("1", "cup");
+      kept = rig.coins("1", "cup");
+      ann.link.close("cut");
+      rig.settle();
+      FakeClient bot = bot(rig, tokens);
+      assertTrue(seat.isStandIn());
+      earn(rig, bot, 40);
+      assertTrue(rig.coins("1", "cup") > kept + 20, "the bot plays with what is there");
+      assertEquals(kept, stored("1"));
+      FakeClient again = rig.hello("1", "cup", ann.welcome.sessionSecret());
+      rig.settle();
+      assertFalse(seat.isBot());
+      assertEquals(kept, rig.coins("1", "cup"));
+      assertEquals(0, bot.welcome.sessionSecret(), "a bot can't come back");
+      earn(rig, again, 10);
+      int more = rig.coins("1", "cup");
+      assertTrue(more > kept, "coins=" + more);
+      assertEquals(more, stored("1"));
+      leave(rig, again);
+      bot = bot(rig, tokens);
+      assertTrue(seat.isBot() && seat.seat().isBots());
+      earn(rig, bot, 40);
+      assertEquals(more, stored("1"));
+      assertEquals("", seat.seat().account());
+    }
+    Games.add(EarnGame::new);
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      while (replay.step() == Replay.Progress.TICK) {
+        assertNull(replay.divergence());
+      }
+      assertTrue(replay.equalTicks() > 1_000, "ticks=" + replay.equalTicks());
+    }
+  }
+
+  /** Lets a bot to the seat that was offered last. */
+  private static FakeClient bot(AccountRig rig, List<String> tokens) {
+    for (int i = 0; i < 300 && tokens.isEmpty(); i++) {
+      rig.step();
+    }
+    FakeClient bot = new FakeClient(rig.network.client().connect("", 0, 0));
+    bot.game = rig.game;
+    bot.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION,
+            Protocol.physicsDigest(),
+            "bot",
+            0,
+            "",
+            "",
+            tokens.get(tokens.size() - 1)));
+    tokens.clear();
+    rig.clients.add(bot);
+    rig.settle();
+    return bot;
   }
 }

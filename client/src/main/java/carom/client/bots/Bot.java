@@ -48,6 +48,7 @@ public final class Bot implements InputSource {
 
   private final boolean roams;
   private final boolean skilled;
+  private final Strength strength; // or null
   private final Senses senses;
   private BotBrain brain;
 
@@ -70,7 +71,7 @@ public final class Bot implements InputSource {
    * @param seed equal seeds that see equal pictures play the same
    */
   public Bot(long seed) {
-    this(seed, false, false);
+    this(seed, false, false, null);
   }
 
   /**
@@ -81,12 +82,13 @@ public final class Bot implements InputSource {
    *     flocks around few balls
    */
   public Bot(long seed, boolean roams) {
-    this(seed, roams, false);
+    this(seed, roams, false, null);
   }
 
-  private Bot(long seed, boolean roams, boolean skilled) {
+  private Bot(long seed, boolean roams, boolean skilled, Strength strength) {
     this.roams = roams;
     this.skilled = skilled;
+    this.strength = strength;
     random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
     fingers = new SimRandom(seed * 0xd1342543de82ef95L + 1);
     senses = new Senses(fingers);
@@ -111,15 +113,25 @@ public final class Bot implements InputSource {
    * @param seed equal seeds that see equal pictures play the same
    */
   public static Bot skilled(long seed) {
-    return new Bot(seed, false, true);
+    return skilled(seed, null);
+  }
+
+  /**
+   * Returns a bot that plays as well as a strength says, where its brain knows strengths.
+   *
+   * @param seed equal seeds that see equal pictures play the same
+   * @param strength null for one by chance
+   */
+  public static Bot skilled(long seed, Strength strength) {
+    return new Bot(seed, false, true, strength);
   }
 
   @Override
   public void sample(ClientView view, int tick, Input out) {
     if (!roams && !view.game().equals(brainGame)) {
       brainGame = view.game();
-      brain = BotBrains.create(brainGame);
-      skill = skilled ? BotBrains.shipped(brainGame) : null;
+      brain = graded(BotBrains.create(brainGame));
+      skill = skilled ? graded(BotBrains.shipped(brainGame)) : null;
       if (brain == null && skill instanceof PlatformerBrain) { // a jump is a matter of ticks
         brain = skill;
       }
@@ -150,6 +162,13 @@ public final class Bot implements InputSource {
       }
     }
     out.set(held);
+  }
+
+  private BotBrain graded(BotBrain of) {
+    if (of != null && strength != null) {
+      of.strength(strength);
+    }
+    return of;
   }
 
   /** Returns whether a moment has come, or is of another match, whose ticks ran further. */

@@ -16,6 +16,12 @@ public interface BotBrain {
   String game();
 
   /**
+   * Sets how well it plays, before it decides for the first time; it may ignore that. Bots that a
+   * server orders with a strength are told it; all others choose for themselves.
+   */
+  default void strength(Strength strength) {}
+
+  /**
    * Decides the input of one tick. Called only while the bot has a body.
    *
    * @param senses what the bot sees; the same object at every call

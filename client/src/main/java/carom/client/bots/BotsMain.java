@@ -21,7 +21,9 @@ import carom.options.Rows;
 import carom.options.Setting;
 import carom.physics.threads.WorkerThreads;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Scanner;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -111,6 +113,12 @@ public final class BotsMain implements Callable<Integer> {
                   + " HOST:TCP/UDP, without /UDP by TCP alone; web is WebSocket with JSON, binary"
                   + " with the compact form, at --host HOST:PORT. The last three walk about and"
                   + " predict nothing ({default}).");
+
+  private static final Setting<Boolean> ORDERS =
+      ROWS.mark("orders")
+          .text(
+              "Play where lines of standard input say, until it ends: the server's --bots starts"
+                  + " the program so.");
 
   private static final Setting<Double> CHURN =
       ROWS.number("churn", "S", 0, 1000000, 0)
@@ -209,6 +217,9 @@ public final class BotsMain implements Callable<Integer> {
             .config(flags.get(NAME))
             .with(ClientConfig.PREDICTION, flags.get(PREDICTION))
             .with(ClientConfig.TICKS_PER_INPUT_DATAGRAM, flags.get(INPUT_EVERY));
+    if (flags.get(ORDERS)) {
+      return playOrders(config);
+    }
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = sockets();
         WorkerThreads workers = new WorkerThreads(threadCount());
@@ -222,6 +233,31 @@ public final class BotsMain implements Callable<Integer> {
                 flags.get(CHURN),
                 workers)) {
       return play(farm, stop);
+    }
+  }
+
+  /** Plays as the server orders that has started this process; ends with that server. */
+  private int playOrders(ClientConfig config) throws InterruptedException {
+    try (StopSignal stop = new StopSignal();
+        ClientTransport transport = network.sockets(network.trust(KnownServers.inMemory()));
+        OrderedBots bots = new OrderedBots(config, transport, flags.get(SEED))) {
+      Thread orders =
+          new Thread(
+              () -> {
+                Scanner in = new Scanner(System.in, StandardCharsets.UTF_8);
+                while (in.hasNextLine()) {
+                  bots.order(in.nextLine());
+                }
+              },
+              "carom-orders");
+      orders.setDaemon(true);
+      orders.start();
+      while (orders.isAlive() && !stop.asked()) {
+        long now = pace.nanoTime();
+        bots.update(now);
+        pace.sleep(Math.max(0, now + CROWD_FRAME_NS - pace.nanoTime()));
+      }
+      return 0;
     }
   }
 

@@ -27,6 +27,11 @@ abstract class GradedBrain implements BotBrain {
   }
 
   @Override
+  public final void strength(Strength newStrength) {
+    strength = newStrength;
+  }
+
+  @Override
   public final void decide(Senses s, Input out) {
     if (s.view().level() == null || !s.view().knowsFields()) {
       return;

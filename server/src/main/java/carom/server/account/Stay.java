@@ -34,6 +34,7 @@ public final class Stay {
 
   private long seen = -1;
   private boolean changed;
+  private boolean rests;
 
   /**
    * Creates a stay.
@@ -73,7 +74,19 @@ public final class Stay {
 
   /** Returns the stay as it goes on in a room that comes back from a checkpoint. */
   public Stay resumed() {
-    return new Stay(account, stamp + 1, values);
+    Stay stay = new Stay(account, stamp + 1, values);
+    stay.rests = rests;
+    return stay;
+  }
+
+  /** Sets whether a bot plays for the player, so that the account gains nothing. */
+  public void rests(boolean value) {
+    rests = value;
+  }
+
+  /** Returns whether a bot plays for the player, or did until the room came back. */
+  public boolean rests() {
+    return rests;
   }
 
   /** Notes what the player begins with, which is stored already. */
@@ -119,8 +132,14 @@ public final class Stay {
     String account =
         a.text("account", stay == null ? "" : stay.account, ProtocolLimits.MAX_ACCOUNT_CHARACTERS);
     long stamp = a.bits("stamp", stay == null ? 0 : stay.stamp);
+    boolean rests = a.flag("rests", stay != null && stay.rests);
     AccountValues values = AccountValues.pass(a, stay == null ? null : stay.values);
-    return a.reads() ? new Stay(account, stamp, values) : stay;
+    if (!a.reads()) {
+      return stay;
+    }
+    Stay read = new Stay(account, stamp, values);
+    read.rests = rests;
+    return read;
   }
 
   @Override

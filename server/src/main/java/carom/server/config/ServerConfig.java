@@ -222,6 +222,15 @@ public final class ServerConfig extends Settings<ServerConfig> {
                   + " an account want that; give it once for each room, or all.")
           .live();
 
+  public static final Setting<List<BotRule>> BOTS =
+      ROWS.list("bots", "[ROOM=]N[:STRENGTH]", BotRule::parse)
+          .text(
+              "Fill a room in which people play up to N players with bots (weak, medium or strong;"
+                  + " mixed without), which take the seats of people who leave and make room for"
+                  + " those who come; give it once for all rooms, and once for each that differs"
+                  + " (none).")
+          .live();
+
   public static final Setting<String> RECORD =
       ROWS.text("record", "FILE", null)
           .text(

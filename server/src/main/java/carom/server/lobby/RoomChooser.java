@@ -3,8 +3,10 @@ package carom.server.lobby;
 import carom.net.admission.AddressGroup;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
+import carom.server.session.Seats;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.IntSupplier;
 
 /** Finds the room for a newcomer. Rooms that have failed count as full. */
@@ -34,6 +36,17 @@ final class RoomChooser {
       }
     }
     return last;
+  }
+
+  /** Returns the seat to which a token lets a bot, which is claimed then, and its room; or null. */
+  Map.Entry<Room, Seats.Seat> claimForBot(String token) {
+    for (Room room : rooms) {
+      Seats.Seat seat = room.hasFailed() ? null : room.seats().claimForBot(token);
+      if (seat != null) {
+        return Map.entry(room, seat);
+      }
+    }
+    return null;
   }
 
   /**

@@ -35,6 +35,7 @@ import carom.text.Texts;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Future;
 import org.slf4j.Logger;
@@ -121,6 +122,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** True if the player doesn't come back to the seat. */
   private boolean isNewcomer;
+
+  /** True for a bot of the server. */
+  private boolean isBot;
 
   /** Who a ticket belongs to, as soon as the fleet's directory has answered; or null. */
   private Future<FleetDoor.Guest> redeeming;
@@ -353,6 +357,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by or sends a level.");
       return;
     }
+    if (hello.token().startsWith(Seats.BOT)) {
+      sitDown(hello.token());
+      return;
+    }
     if (!isAlone() && hello.token().startsWith(FleetDoor.TICKET)) {
       redeeming = directory.fleet().redeem(hello.token());
       ticketHolder = hello;
@@ -367,6 +375,19 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     if (request != null) {
       begin(request);
     }
+  }
+
+  /** Lets a bot of the server to the seat for which it has a token. */
+  private void sitDown(String token) {
+    Map.Entry<Room, Seats.Seat> place = chooser.claimForBot(token);
+    if (place == null) {
+      refuse(RefusalReason.TOKEN_INVALID, "No bot is wanted at that seat.");
+      return;
+    }
+    isBot = true;
+    room = place.getKey();
+    seat = place.getValue();
+    welcome();
   }
 
   private void begin(JoinRequest request) {
@@ -745,7 +766,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     state = state.become(SessionState.LOADING);
     welcome =
         match.welcome(
-            seat.secret(),
+            isBot ? 0 : seat.secret(),
             seat.id(),
             FIRST_EPOCH,
             config.get(ServerConfig.TICK_RATE),
@@ -758,7 +779,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   private void enterRoom() {
     // The operator may have banned the player while the level loaded.
-    if (!requireEntry(seat.wantedName(), seat.account())) {
+    if (!isBot && !requireEntry(seat.wantedName(), seat.account())) {
       return;
     }
     AccountService accounts = directory.accounts();
@@ -778,7 +799,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       }
     }
     done = true;
-    if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number()))) {
+    if (!room.admit(new Admission(seat, link, FIRST_EPOCH, match.number(), isBot))) {
       LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
       link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
       context.closeLater(link, "room takes nobody");

@@ -16,6 +16,7 @@ public enum Counter {
       Kind.GAUGE,
       "Ticks a second, percent of the tick rate: less than 100 when time is slowed down."),
   PLAYERS(Kind.GAUGE, "Players with a link."),
+  BOTS(Kind.GAUGE, "Players of them that are bots of the server."),
   PLAYERS_IN_GRACE(Kind.GAUGE, "Players whose link was lost and whose body waits for them."),
   PLAYERS_IDLE(Kind.GAUGE, "Players whose input hasn't changed for as long as --idle-kick says."),
   SPECTATORS(Kind.GAUGE, "Spectators."),

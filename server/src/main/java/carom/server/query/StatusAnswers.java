@@ -1,6 +1,7 @@
 package carom.server.query;
 
 import carom.net.protocol.Protocol;
+import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
 import java.nio.ByteBuffer;
@@ -85,11 +86,13 @@ final class StatusAnswers {
     String level = "";
     String game = "";
     int players = 0;
+    int bots = 0;
     int places = 0;
     for (Room room : facts.rooms()) { // a server of a fleet may have none
       level = level.isEmpty() ? room.match().level().level().name() : level;
       game = game.isEmpty() ? room.match().game() : game;
       players += room.seats().takenCount();
+      bots += (int) room.counters().get(Counter.BOTS);
       places += room.seats().count();
     }
     String system = System.getProperty("os.name");
@@ -102,7 +105,7 @@ final class StatusAnswers {
         .putShort((short) 0) // no number of Steam's
         .put((byte) Math.min(MAX_COUNT, players))
         .put((byte) Math.min(MAX_COUNT, places))
-        .put((byte) 0) // bots are players like others
+        .put((byte) Math.min(MAX_COUNT, bots)) // of the players
         .put((byte) 'd')
         .put((byte) platform)
         .put((byte) 0) // no password

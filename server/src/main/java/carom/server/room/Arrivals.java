@@ -40,6 +40,7 @@ final class Arrivals {
   private final Announcer announcer;
   private final MatchChange changes;
   private final RoomAccounts accounts;
+  private final RoomBots bots;
   private final ArrayBlockingQueue<Admission> queue;
 
   /**
@@ -56,7 +57,8 @@ final class Arrivals {
       RosterNews roster,
       Announcer announcer,
       MatchChange changes,
-      RoomAccounts accounts) {
+      RoomAccounts accounts,
+      RoomBots bots) {
     this.room = room;
     this.clock = clock;
     this.sessions = sessions;
@@ -65,6 +67,7 @@ final class Arrivals {
     this.announcer = announcer;
     this.changes = changes;
     this.accounts = accounts;
+    this.bots = bots;
     queue = new ArrayBlockingQueue<>(2 * ProtocolLimits.MAX_PLAYERS);
   }
 
@@ -124,7 +127,18 @@ final class Arrivals {
     int id = a.seat().id();
     Session session = sessions.onSeat(id);
     boolean resumed = session != null;
+    if (a.bot() && (resumed ? session.state() != SessionState.GRACE : !a.seat().isBots())) {
+      departures.part(a.link(), "the player is back, or gone", nowNs);
+      if (!resumed) {
+        room.seats().vacate(a.seat());
+      }
+      return;
+    }
     if (session == null) {
+      Session inTheWay = a.bot() ? null : bots.inTheWay();
+      if (inTheWay != null) {
+        departures.remove(inTheWay, "is a bot, gave way to a newcomer", " left", nowNs);
+      }
       HostPlayer player = accounts.join(a.seat());
       session =
           new Session(
@@ -140,7 +154,10 @@ final class Arrivals {
       session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
       departures.part(session.detach(nowNs), "resumed by another link", nowNs);
     }
-    session.attach(a.link(), a.epoch());
+    if (resumed) {
+      accounts.standsIn(session, a.bot());
+    }
+    session.attach(a.link(), a.epoch(), a.bot());
     tellPage(a.link());
     if (a.match() == room.match().info().number()) {
       session.play(room.simulation().tick());
@@ -148,23 +165,21 @@ final class Arrivals {
       changes.tell(session);
     }
     roster.changed();
-    room.counters().add(Counter.JOINS, 1);
-    if (resumed) {
-      room.counters().add(Counter.RESUMES, 1);
-    }
+    room.counters().add(Counter.JOINS, a.bot() ? 0 : 1);
+    room.counters().add(Counter.RESUMES, resumed && !a.bot() ? 1 : 0);
     LOG.info(
         "{}{}: {} as player {} from {}, {} of {} players",
         room.label(),
-        resumed ? "back" : "join",
+        a.bot() ? "bot" : resumed ? "back" : "join",
         a.seat().name(),
         id,
         a.link().remote(),
         sessions.count(),
         room.seats().count());
-    String what = resumed ? " is back" : " joined";
+    String what = !resumed ? " joined" : a.bot() ? " is away: a bot plays on" : " is back";
     announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
-    if (!resumed) {
+    if (!resumed && !a.bot()) {
       greet(session, room.config().get(ServerConfig.WELCOME));
       greet(session, accounts.trouble(session));
     }

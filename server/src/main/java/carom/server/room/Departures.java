@@ -34,6 +34,7 @@ final class Departures {
   private final Announcer announcer;
   private final PartingLinks partings;
   private final RoomAccounts accounts;
+  private final RoomBots bots;
   private final SeatRequests requests;
 
   /**
@@ -47,13 +48,15 @@ final class Departures {
       RosterNews roster,
       Announcer announcer,
       PartingLinks partings,
-      RoomAccounts accounts) {
+      RoomAccounts accounts,
+      RoomBots bots) {
     this.room = room;
     this.sessions = sessions;
     this.roster = roster;
     this.announcer = announcer;
     this.partings = partings;
     this.accounts = accounts;
+    this.bots = bots;
     requests = new SeatRequests(room.counters(), room.seats(), room.config());
   }
 
@@ -90,11 +93,20 @@ final class Departures {
     } else if (session == givesWay) {
       requests.served();
       session.sayGoodbye(GoodbyeReason.IDLE, "");
-      remove(session, "was idle, gave way to a newcomer", " was idle and gave way", nowNs);
+      String why = session.isBot() ? "is a bot" : "was idle";
+      remove(session, why + ", gave way to a newcomer", " " + why + " and gave way", nowNs);
+    } else if (session.isStandIn() && session.graceIsOver(nowNs)) {
+      accounts.left(session);
+      room.seats().forsake(session.seat());
+      LOG.info("{}the bot has the seat of {}", room.label(), session.seat().name());
     } else if (session.departure().leaves()) {
       room.counters().add(Counter.LEAVES, 1);
       session.sayGoodbye(GoodbyeReason.LEFT, "");
-      remove(session, "left", " left", nowNs);
+      if (bots.takesOver(session)) {
+        handOver(session, "left", " left: a bot plays on", nowNs);
+      } else {
+        remove(session, "left", " left", nowNs);
+      }
     } else if (session.departure().offence() != null) {
       room.counters().add(Counter.SESSIONS_EXPELLED, 1);
       session.sayGoodbye(
@@ -122,7 +134,11 @@ final class Departures {
   private void lose(Session session, String why, long nowNs) {
     room.counters().add(Counter.LINKS_LOST, 1);
     session.sayGoodbye(GoodbyeReason.TIMEOUT, "");
-    if (room.config().graceMs() == 0) {
+    if (room.config().graceMs() == 0 && bots.takesOver(session)) {
+      handOver(session, why, " is gone: a bot plays on", nowNs);
+      return;
+    }
+    if (room.config().graceMs() == 0 || session.seat().isBots()) {
       remove(session, why, " is gone", nowNs);
       return;
     }
@@ -135,6 +151,24 @@ final class Departures {
         room.config().get(ServerConfig.GRACE));
     part(session.detach(nowNs), why, nowNs);
     announce(session, " lost the connection");
+    sessions.updateGauges();
+  }
+
+  /** Gives the seat of a player who has gone to a bot, which is on its way. */
+  private void handOver(Session session, String why, String notice, long nowNs) {
+    accounts.left(session);
+    part(session.detach(nowNs), why, nowNs);
+    session.endGrace(nowNs + RoomBots.COMING_NS);
+    room.seats().forsake(session.seat());
+    bots.order(session.seat(), nowNs);
+    roster.changed();
+    LOG.info(
+        "{}leave: {}, player {}, {}, a bot gets the seat",
+        room.label(),
+        session.seat().name(),
+        session.seat().id(),
+        why);
+    announce(session, notice);
     sessions.updateGauges();
   }
 

@@ -431,7 +431,7 @@ final class MatchChange implements RoomCourse {
     session.load(
         new LevelUpload(match.level(), epoch),
         match.welcome(
-            session.seat().secret(),
+            session.secret(),
             session.seat().id(),
             epoch,
             rate,

@@ -16,6 +16,7 @@ import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Newcomer;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 
@@ -108,6 +109,7 @@ final class RoomAccounts implements AccountLog {
       Stay stay = sessions.get(i).seat().stay();
       if (stay != null && service() != null) {
         service().goesOn(stay);
+        standsIn(sessions.get(i), false);
         note(sessions.get(i));
       }
     }
@@ -155,10 +157,33 @@ final class RoomAccounts implements AccountLog {
     if (stay == null || service() == null) {
       return;
     }
-    String game = room.simulation().game().name();
-    boolean changed = stay.note(game, room.simulation().schema(), session.player().fieldValues());
+    SimulationHost s = room.simulation();
+    boolean changed =
+        !stay.rests() && stay.note(s.game().name(), s.schema(), session.player().fieldValues());
     if (changed || ends) {
       add(stay, write(stay, session.seat(), changed || stay.hasChanged(), ends));
+    }
+  }
+
+  /**
+   * Begins the time in which a bot plays for a player, whose account gains nothing by that, or ends
+   * it: the player then has again what the account has.
+   */
+  void standsIn(Session session, boolean begins) {
+    Stay stay = session.seat().stay();
+    if (stay == null || service() == null) {
+      return;
+    }
+    if (begins) {
+      note(session);
+      stay.rests(true);
+    } else if (stay.rests()) {
+      SimulationHost s = room.simulation();
+      int[] words = stay.values().words(s.game().name(), s.schema());
+      if (!Arrays.equals(words, session.player().fieldValues().lasting())) {
+        s.keep(session.player(), words);
+      }
+      stay.rests(false);
     }
   }
 

@@ -24,6 +24,7 @@ public final class RoomDirectory {
   private volatile FleetDoor fleet = FleetDoor.NONE;
   private volatile AccountService accounts;
   private volatile Uploads uploads;
+  private volatile BotCrew bots;
   private List<Broadcast> list = List.of();
   private List<Broadcast> listHere = List.of();
   private long listedNs;
@@ -68,6 +69,16 @@ public final class RoomDirectory {
   /** Returns what keeps levels of players, or null if the server takes none. */
   public Uploads uploads() {
     return uploads;
+  }
+
+  /** Sets what plays bots; before the first turn. */
+  public void bots(BotCrew crew) {
+    bots = crew;
+  }
+
+  /** Returns what plays bots, or null if nothing does. */
+  public BotCrew bots() {
+    return bots;
   }
 
   /** Sets who takes commands that players write into the chat of any room. */

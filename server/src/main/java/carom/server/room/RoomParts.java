@@ -39,6 +39,7 @@ final class RoomParts {
   final Announcer announcer;
   final RosterNews roster;
   final PartingLinks partings = new PartingLinks(ProtocolLimits.MAX_PLAYERS);
+  final RoomBots bots;
   final Departures departures;
   final RoomRecording recording;
   final RoomAccounts accounts;
@@ -82,13 +83,15 @@ final class RoomParts {
     roster =
         new RosterNews(ProtocolLimits.MAX_PLAYERS, config.get(ServerConfig.ROSTER_INTERVAL_MS));
     accounts = new RoomAccounts(context, directory, sessions, journals, settings.name());
-    departures = new Departures(context, sessions, roster, announcer, partings, accounts);
+    bots = new RoomBots(context, settings.name(), directory, sessions);
+    departures = new Departures(context, sessions, roster, announcer, partings, accounts, bots);
     changes =
         new MatchChange(
             context, loader, loads, settings, sessions, recording, journals, roster, announcer,
             accounts);
     arrivals =
-        new Arrivals(context, clock, sessions, departures, roster, announcer, changes, accounts);
+        new Arrivals(
+            context, clock, sessions, departures, roster, announcer, changes, accounts, bots);
     LevelChoices choices =
         new LevelChoices(context, settings.name(), directory, sessions, announcer, changes);
     switches = new RoomSwitches(context, self, directory, sessions, departures, accounts, choices);

@@ -103,11 +103,14 @@ final class RoomSessions {
   /** Counts how many sessions play, and how many wait for their players. */
   void updateGauges() {
     int inGrace = 0;
+    int bots = 0;
     for (int i = 0; i < sessions.size(); i++) {
       if (sessions.get(i).state() == SessionState.GRACE) {
         inGrace++;
       }
+      bots += sessions.get(i).isBot() ? 1 : 0;
     }
+    counters.set(Counter.BOTS, bots);
     counters.set(Counter.PLAYERS, sessions.size() - inGrace);
     counters.set(Counter.PLAYERS_IN_GRACE, inGrace);
   }

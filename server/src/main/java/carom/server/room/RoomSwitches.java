@@ -106,7 +106,7 @@ final class RoomSwitches {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       Room to = directory.refuge(room.match().info().game(), self);
-      if (to != null && session.state() != SessionState.GRACE) {
+      if (to != null && session.state() != SessionState.GRACE && !session.isBot()) {
         move(session, to.name(), nowNs);
         moved += sessions.onSeat(session.seat().id()) == session ? 0 : 1;
       }
@@ -143,7 +143,7 @@ final class RoomSwitches {
     Link link = departures.moveOut(session, name);
     Stay stay = session.seat().stay();
     seat.stay(stay == null ? null : stay.moved());
-    if (!to.admit(new Admission(seat, link, session.epoch(), Admission.NO_MATCH))) {
+    if (!to.admit(new Admission(seat, link, session.epoch(), Admission.NO_MATCH, false))) {
       LOG.warn("{}{} could not enter room {}", room.label(), seat.name(), name);
       link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
       departures.part(link, "room takes nobody", nowNs);

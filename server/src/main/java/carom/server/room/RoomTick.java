@@ -163,6 +163,7 @@ final class RoomTick {
     stages.begin();
     parts.arrivals.admit(beginNs, nowNs);
     parts.departures.serve(nowNs);
+    parts.bots.serve(nowNs, parts.departures);
     parts.switches.serve(nowNs);
     Match match = context.match();
     SimulationHost simulation = match.simulation();

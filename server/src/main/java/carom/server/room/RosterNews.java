@@ -130,7 +130,7 @@ final class RosterNews {
         && entry.alive() == p.isAlive()
         && entry.pingMs() == pings[id]
         && entry.colour() == p.colour().number()
-        && entry.name().equals(session.seat().name());
+        && entry.name().equals(session.shownName());
   }
 
   /**
@@ -163,7 +163,7 @@ final class RosterNews {
     HostPlayer p = session.player();
     return new RosterEntry(
         p.id(),
-        session.seat().name(),
+        session.shownName(),
         p.team(),
         p.score(),
         p.isSpectator(),

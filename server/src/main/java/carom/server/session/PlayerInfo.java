@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param name unique in the room
  * @param account the account by the player's join token, or empty
  * @param remote address and port of the client, or why there is none
- * @param state {@code playing}, {@code watching}, {@code loading} or {@code grace}
+ * @param state {@code playing}, {@code watching}, {@code loading}, {@code grace} or {@code bot}
  * @param team the player's team
  * @param score the player's score
  * @param rgb the colour that the player has chosen, 0xRRGGBB; -1 for none
@@ -33,10 +33,12 @@ public record PlayerInfo(
     boolean watches = session.player().isSpectator();
     return new PlayerInfo(
         session.seat().id(),
-        session.seat().name(),
+        session.shownName(),
         session.seat().account(),
         session.remote(),
-        watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
+        session.isBot()
+            ? "bot"
+            : watches ? "watching" : session.state().name().toLowerCase(Locale.ROOT),
         session.player().team(),
         session.player().score(),
         session.player().colour().rgb(),

@@ -9,12 +9,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Requests of newcomers for seats of a full room. A seat is given up by the player that lost the
- * connection first, or else by the one that has been idle for longest, or else by one whose network
- * holds more than its share. A player that has just lost the connection has a moment to come back:
- * {@value #LONGEST_WAIT_MS} ms or a third of the grace period, whichever is shorter. Without it, a
- * full server would give everybody's seats away after a crash. A crowd has no such moment. The
- * room's thread, but for {@link #ask}.
+ * Requests of newcomers for seats of a full room. A seat is given up by a bot, or else by the
+ * player that lost the connection first, or else by the one that has been idle for longest, or else
+ * by one whose network holds more than its share. A player that has just lost the connection has a
+ * moment to come back: {@value #LONGEST_WAIT_MS} ms or a third of the grace period, whichever is
+ * shorter. Without it, a full server would give everybody's seats away after a crash. A crowd has
+ * no such moment. The room's thread, but for {@link #ask}.
  */
 public final class SeatRequests {
   private static final long LONGEST_WAIT_MS = 10_000;
@@ -95,15 +95,20 @@ public final class SeatRequests {
    * @param nowNs monotonic time
    */
   public Session next(Session[] sessions, long nowNs) {
+    Session bot = null;
     Session lost = null;
     Session idle = null;
+    int botCount = 0;
     int idleCount = 0;
     int lostCount = 0;
     for (Session session : sessions) {
       if (session == null || seats.isClaimed(session.seat())) {
         continue;
       }
-      if (session.state() == SessionState.GRACE) {
+      if (session.seat().isBots()) {
+        botCount++;
+        bot = session;
+      } else if (session.state() == SessionState.GRACE || session.isStandIn()) {
         if (session.graceEndNs() - nowNs <= shortestLeftNs) {
           lostCount++;
           lost = lost == null || session.graceEndNs() - lost.graceEndNs() < 0 ? session : lost;
@@ -114,8 +119,8 @@ public final class SeatRequests {
       }
     }
     counters.set(Counter.PLAYERS_IDLE, idleCount);
-    willing = lostCount + idleCount; // one thread writes it
-    Session first = lost != null ? lost : idle;
+    willing = botCount + lostCount + idleCount; // one thread writes it
+    Session first = bot != null ? bot : lost != null ? lost : idle;
     if (first == null) {
       open.set(0);
     }

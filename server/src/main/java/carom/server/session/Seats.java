@@ -29,6 +29,12 @@ public final class Seats {
   private static final long RESUME_INTERVAL_MS = 1_500;
   private static final long NS_PER_MS = 1_000_000;
 
+  /** Beginning of the token by which a bot takes a seat. */
+  public static final String BOT = "bot:";
+
+  /** The group that bots count for. */
+  private static final AddressGroup BOTS = new AddressGroup("bots", "bots");
+
   /** Origin of players that were restored and haven't come back, or sit down in tests. */
   private static final AddressGroup UNKNOWN = new AddressGroup("", "");
 
@@ -66,6 +72,68 @@ public final class Seats {
   /** Returns a number that changes whenever a player may have come or gone. */
   public synchronized int version() {
     return version;
+  }
+
+  /**
+   * Takes a free seat for a bot, which {@linkplain #order comes} by a token.
+   *
+   * @return the seat, or null when all are taken
+   */
+  public synchronized Seat takeForBot(String wantedName) {
+    Seat seat = take(wantedName, "", BOTS);
+    if (seat != null) {
+      seat.born = true;
+      seat.bots = true;
+    }
+    return seat;
+  }
+
+  /**
+   * Lets a bot come to a seat: to one taken for it, or to one whose player has lost the connection
+   * or left.
+   *
+   * @return the token, which lets one link in, once; for the bot alone
+   */
+  public synchronized String order(Seat seat) {
+    seat.botToken = BOT + Long.toHexString(freshSecret());
+    return seat.botToken;
+  }
+
+  /** Returns whether a bot may come to a seat, and hasn't yet. */
+  public synchronized boolean isOrdered(Seat seat) {
+    return seat.botToken != null;
+  }
+
+  /** Ends an order. A seat that was taken for a bot becomes free. */
+  public synchronized void withdraw(Seat seat) {
+    if (seat.botToken != null) {
+      seat.botToken = null;
+      if (!seat.occupied) {
+        seat.claims--;
+        freeIfUnused(seat);
+      }
+    }
+  }
+
+  /** Claims the seat to which a token lets a bot, or returns null; the token is spent then. */
+  public synchronized Seat claimForBot(String token) {
+    for (Seat seat : taken) {
+      if (seat != null && token.equals(seat.botToken)) {
+        seat.botToken = null;
+        seat.claims += seat.occupied ? 1 : 0; // one taken for a bot has its claim already
+        return seat;
+      }
+    }
+    return null;
+  }
+
+  /** Gives a seat to the bots for good: its player doesn't come back, and has no account there. */
+  public synchronized void forsake(Seat seat) {
+    seat.bots = true;
+    seat.account = "";
+    seat.stay = null;
+    seat.group = BOTS;
+    version++;
   }
 
   /**
@@ -184,7 +252,7 @@ public final class Seats {
 
   private synchronized Seat find(long secret) {
     for (int id = 0; secret != 0 && id < taken.length; id++) {
-      if (taken[id] != null && taken[id].secret == secret) {
+      if (taken[id] != null && !taken[id].bots && taken[id].secret == secret) {
         return taken[id];
       }
     }
@@ -394,7 +462,7 @@ public final class Seats {
     private final int id;
     private final String wantedName;
     private final String name;
-    private final String account;
+    private volatile String account;
     private final long secret;
     private final int switches;
     private int claims; // guarded by the seats' lock, as the next three
@@ -405,6 +473,9 @@ public final class Seats {
     private AddressGroup group;
     private boolean resumed;
     private long resumedNs;
+    private String botToken; // guarded, too; null for none
+    private boolean born;
+    private volatile boolean bots;
     private volatile int courseTick = SAME_COURSE;
     private boolean muted; // only the thread of the player's room uses it
     private volatile Stay stay;
@@ -461,6 +532,17 @@ public final class Seats {
     /** Returns whether a player plays here and no other link claims the seat; under its lock. */
     boolean givesWay() {
       return occupied && claims == 0;
+    }
+
+    /** Returns whether a bot has the seat for good: no player may come back to it. */
+    public boolean isBots() {
+      return bots;
+    }
+
+    /** Returns the name that others read while a bot plays here. */
+    String nameOfBot() {
+      String mark = " (bot)";
+      return born ? name : shortened(name, ProtocolLimits.MAX_NAME_BYTES - mark.length()) + mark;
     }
 
     /** Mutes the player, whose chat and emotes are then dropped, or ends that. */

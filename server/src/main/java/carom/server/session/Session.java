@@ -63,6 +63,8 @@ public final class Session implements LinkHandler {
   private volatile Link link;
   private ThinLink thin; // the link, if the client is a thin one
   private int epoch;
+  private boolean bot;
+  private String shownName;
   private final DivergenceReports reports;
   private long nowNs;
   private int silentTicks;
@@ -88,6 +90,7 @@ public final class Session implements LinkHandler {
       SessionMessages messages,
       Counters counters) {
     this.seat = seat;
+    shownName = seat.name();
     this.player = player;
     this.config = config;
     this.replication = replication;
@@ -102,9 +105,12 @@ public final class Session implements LinkHandler {
    *
    * @param newLink its inbox belongs to this session from now on
    * @param lastEpoch that of the link's last Welcome
+   * @param toBot whether the link is a bot's
    */
-  public void attach(Link newLink, int lastEpoch) {
+  public void attach(Link newLink, int lastEpoch, boolean toBot) {
     link = newLink;
+    bot = toBot;
+    shownName = toBot ? seat.nameOfBot() : seat.name();
     thin = newLink instanceof ThinLink thinLink ? thinLink : null;
     epoch = lastEpoch;
     departure.begin();
@@ -172,14 +178,18 @@ public final class Session implements LinkHandler {
   }
 
   /**
-   * Takes the link away and begins the grace period; the player's input turns neutral.
+   * Takes the link away and begins the grace period; the player's input turns neutral. The link of
+   * a bot that stands in for a player leaves the player's grace period as it is.
    *
    * @return the link, now the caller's
    */
   public Link detach(long timeNs) {
     state = state.become(SessionState.GRACE);
     messages.detach();
-    graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
+    if (!bot) {
+      graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
+    }
+    bot = false;
     Link old = link;
     link = null;
     player.input().clear();
@@ -198,9 +208,9 @@ public final class Session implements LinkHandler {
     replication.begin(0, null);
   }
 
-  /** Ends the grace period of a player who has gone on to another room. */
-  public void endGrace(long nowNs) {
-    graceEndNs = nowNs;
+  /** Sets when the grace period ends, such as now for a player who has gone on to another room. */
+  public void endGrace(long newGraceEndNs) {
+    graceEndNs = newGraceEndNs;
   }
 
   /** Ends the session; returns its link, or null when it had none. */
@@ -417,6 +427,26 @@ public final class Session implements LinkHandler {
     return seat;
   }
 
+  /** Returns whether a bot plays over the present link. */
+  public boolean isBot() {
+    return bot;
+  }
+
+  /** Returns whether a bot plays for a player who may come back until the grace period is over. */
+  public boolean isStandIn() {
+    return bot && !seat.isBots();
+  }
+
+  /** Returns the name that others read: with a mark while a bot plays in a player's place. */
+  public String shownName() {
+    return shownName;
+  }
+
+  /** Returns the secret by which the client may come back; 0 for a bot, which may not. */
+  public long secret() {
+    return bot ? 0 : seat.secret();
+  }
+
   /** Returns the player in the room's simulation. */
   public HostPlayer player() {
     return player;
@@ -432,7 +462,10 @@ public final class Session implements LinkHandler {
     return departure;
   }
 
-  /** Returns when the grace period is over; meaningful in {@link SessionState#GRACE}. */
+  /**
+   * Returns when the grace period is over; meaningful in {@link SessionState#GRACE}, and for a
+   * stand-in.
+   */
   public long graceEndNs() {
     return graceEndNs;
   }

@@ -16,7 +16,8 @@ public sealed interface ServerMessage {
    * plays receives another one when its room goes on with another level or game, or when it changes
    * the room: it keeps its secret, and has to load again.
    *
-   * @param sessionSecret proves the client's identity when it resumes the session; never 0
+   * @param sessionSecret proves the client's identity when it resumes the session; 0 for a bot of
+   *     the server, which can't
    * @param epoch counts the link's Welcomes, modulo 8; in each datagram from now on
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link ProtocolLimits#MIN_TICK_RATE}..{@link
