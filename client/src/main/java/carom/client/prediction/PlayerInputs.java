@@ -144,14 +144,27 @@ final class PlayerInputs {
     }
   }
 
-  /** Returns a relayed input or, before it arrives, the last one known, fading tick by tick. */
+  /**
+   * Returns a relayed input or, before it arrives, the last one known. That is repeated for as long
+   * as it is known to have lasted, and then fades tick by tick: a player who has run for half a
+   * second goes on, and one who turns all the time will turn.
+   */
   private long relayedOrPredicted(int id, int tick) {
     RelayedInputs relayed = records.inputs();
     if (relayed.knows(id, tick)) {
       return relayed.at(id, tick);
     }
     int known = relayed.newestBefore(id, tick);
-    return known < 0 ? 0 : Input.faded(relayed.at(id, known), tick - known, holdTicks);
+    if (known < 0) {
+      return 0;
+    }
+    int lasted = 0;
+    while (lasted < Math.min(holdTicks, tick - known)
+        && relayed.knows(id, known - lasted - 1)
+        && relayed.at(id, known - lasted - 1) == relayed.at(id, known)) {
+      lasted++;
+    }
+    return Input.faded(relayed.at(id, known), tick - known - lasted, holdTicks);
   }
 
   /**

@@ -10,9 +10,8 @@ import java.util.function.Predicate;
  * Chooses the players whose inputs are relayed to one client: those whose bodies it predicts. The
  * inputs of a player whose body is hidden from the client are not relayed.
  *
- * <p>A player that returns after a short absence has to wait. Inputs are coded against an
- * acknowledged state, so the relay of a returning player would tell also what it did while it was
- * none of this client's business.
+ * <p>Each comes with the tick since which it is relayed without a pause: what it did before is none
+ * of this client's business.
  *
  * <p>The room's thread; allocates only to grow.
  */
@@ -49,7 +48,7 @@ final class RelayChooser {
     }
     grow(owner.id());
     int last = lastTick[owner.id()];
-    if (last == before || tick - last > OwnState.RELAYED_TICKS) {
+    if (last != tick) { // else another entity of its own was near, too
       firstTick[owner.id()] = last == before ? firstTick[owner.id()] : tick;
       lastTick[owner.id()] = tick;
       out.relay(owner.id(), firstTick[owner.id()]);

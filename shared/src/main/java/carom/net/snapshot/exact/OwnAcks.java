@@ -62,7 +62,8 @@ public final class OwnAcks implements DatagramLedger.Section {
       return false;
     }
     for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
-      if (!RelayCodec.isUnchanged(ring, newest, window, p)) {
+      boolean paused = own.relayedSince(p) > ackedTick;
+      if (paused || !RelayCodec.isUnchanged(ring, newest, window, p)) {
         return false;
       }
     }

@@ -20,9 +20,6 @@ public final class OwnState {
   /** Largest number of players whose inputs are relayed to one client. */
   public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
 
-  /** Largest number of past ticks for which a relayed player's inputs are sent. */
-  public static final int RELAYED_TICKS = RelayCodec.MAX_WINDOW;
-
   /**
    * Bound of each float of a body's exact state. Far beyond the ends of all worlds, and a world
    * still computes with finite numbers.

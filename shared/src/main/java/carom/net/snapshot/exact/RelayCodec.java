@@ -91,8 +91,16 @@ final class RelayCodec {
   public void write(BitPass w, FrameRing ring, int window, PlayerSet known, OwnState own) {
     int tick = ring.newest().tick();
     PlayerSet players = own.relayed;
+    boolean paused = false;
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      paused |= window > 0 && known.has(p) && own.relayedSince(p) > tick - window;
+    }
+    w.flag(paused);
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       boolean isKnown = window > 0 && known.has(p);
+      if (isKnown && paused) {
+        isKnown = w.flag(own.relayedSince(p) <= tick - window);
+      }
       int ticks = isKnown ? window : past(ring, tick, own.relayedSince(p));
       baseline = isKnown ? inputAt(ring, tick - window, p) : 0;
       for (int i = 0; i < ticks; i++) {
@@ -135,8 +143,9 @@ final class RelayCodec {
       byte[] pastOf,
       byte[] waitingOf) {
     int at = 0;
+    boolean paused = r.flag(false);
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      boolean isKnown = window > 0 && known.has(p);
+      boolean isKnown = window > 0 && known.has(p) && !(paused && !r.flag(false));
       baseline = isKnown ? held.at(p, tick - window) : 0;
       int ticks = player(r, isKnown, window);
       System.arraycopy(inputs, 0, out, at, ticks + waiting);

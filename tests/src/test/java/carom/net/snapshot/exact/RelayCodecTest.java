@@ -94,7 +94,8 @@ class RelayCodecTest {
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       int since = Math.min(RelayCodec.MAX_WINDOW, TICKS - own.relayedSince(p) + 1);
-      int told = window > 0 && known.has(p) ? window : since;
+      boolean isKnown = window > 0 && known.has(p) && own.relayedSince(p) <= TICKS - window;
+      int told = isKnown ? window : since;
       int ticks = inputs.isRead ? inputs.past[p] : told;
       int waiting = inputs.isRead ? inputs.waiting[p] : ring.waiting().count(p);
       out.append('\n').append(p).append(':');
