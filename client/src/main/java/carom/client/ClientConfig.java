@@ -58,7 +58,8 @@ public final class ClientConfig extends Settings<ClientConfig> {
           .mark("dev")
           .text(
               "For developers of games: play also where the server's build of the game differs,"
-                  + " with a warning, and take the jars of --games anew for each match.");
+                  + " with a warning, and take the jars of --games anew when they change: views and"
+                  + " bots' brains at once, games with the next match.");
 
   public static final Setting<String> NAME =
       INNER.text("name", "NAME", "player").text("The player's name, see PlayerName.");

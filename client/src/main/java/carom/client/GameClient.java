@@ -13,6 +13,7 @@ import carom.game.GameFault;
 import carom.game.GameJars;
 import carom.game.Games;
 import carom.game.GuardedGame;
+import carom.game.JarWatch;
 import carom.net.field.Declarations;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
@@ -70,7 +71,15 @@ import org.slf4j.LoggerFactory;
 public final class GameClient implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(GameClient.class);
 
+  /** Time between two looks at the jars of games, with {@code --dev}. */
+  private static final long JAR_LOOK_NS = 500_000_000;
+
   private final ClientConfig config;
+
+  /** Null without {@code --dev}. */
+  private final JarWatch jars;
+
+  private long lookedNs;
   private final InputSource source;
   private final LongSupplier stopwatch;
   private final NetStatsRecorder stats = new NetStatsRecorder();
@@ -137,6 +146,7 @@ public final class GameClient implements AutoCloseable {
   public GameClient(
       ClientConfig config, ClientTransport transport, InputSource input, LongSupplier stopwatch) {
     this.config = config;
+    jars = config.get(ClientConfig.DEV) ? new JarWatch() : null;
     this.source = input;
     this.stopwatch = stopwatch;
     connection =
@@ -169,6 +179,10 @@ public final class GameClient implements AutoCloseable {
     float seconds = lastUpdateNs == 0 ? 0 : Math.max(0, (nowNs - lastUpdateNs) * 1e-9f);
     lastUpdateNs = nowNs;
     this.nowNs = nowNs;
+    if (jars != null && nowNs - lookedNs >= JAR_LOOK_NS) {
+      lookedNs = nowNs;
+      lookAtJars();
+    }
     connection.update(nowNs);
     messages.update(nowNs);
     stats.roll(nowNs);
@@ -183,6 +197,19 @@ public final class GameClient implements AutoCloseable {
       }
     }
     describe();
+  }
+
+  /** Takes the jars of games that have changed: views and brains are new at once, games later. */
+  private void lookAtJars() {
+    try {
+      if (jars.look()) {
+        LOG.info("dev: the jars of games have changed");
+      }
+    } catch (IOException e) {
+      String text = "The games in --games can't be read anew: " + FileErrors.reason(e) + ".";
+      LOG.warn("dev: {}", text);
+      view.notice(text, nowNs);
+    }
   }
 
   private final class ConnectionHandler implements ConnectionListener {

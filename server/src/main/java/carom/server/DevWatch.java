@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.GameJars;
 import carom.game.Games;
+import carom.game.JarWatch;
 import carom.server.config.DataFolder;
 import carom.server.match.MatchInfo;
 import carom.server.match.MatchLibrary;
@@ -41,8 +42,7 @@ final class DevWatch implements Runnable {
   private final DataFolder data;
   private final MatchLibrary library;
   private final Map<String, Watched> levels = new TreeMap<>();
-  private String jars = "";
-  private String refused = "";
+  private final JarWatch jars = new JarWatch();
 
   private DevWatch(List<Room> rooms, DataFolder data, MatchLibrary library) {
     this.rooms = rooms;
@@ -85,11 +85,8 @@ final class DevWatch implements Runnable {
 
   private boolean haveJarsChanged() {
     try {
-      String before = jars;
-      jars = GameJars.state();
-      return jars.equals(before) && !jars.equals(refused) && GameJars.refresh();
-    } catch (IOException e) { // or one goes while it is looked at
-      refused = jars;
+      return jars.look();
+    } catch (IOException e) {
       LOG.warn("dev: the jars of games can't be read anew: {}", FileErrors.reason(e));
       return false;
     }

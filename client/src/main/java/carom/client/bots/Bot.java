@@ -2,6 +2,7 @@ package carom.client.bots;
 
 import carom.client.InputSource;
 import carom.client.view.ClientView;
+import carom.game.GameJars;
 import carom.physics.math.SimRandom;
 import carom.sim.entity.Input;
 import carom.sim.level.Appearance.Look;
@@ -52,10 +53,16 @@ public final class Bot implements InputSource {
   private final Senses senses;
   private BotBrain brain;
 
+  /** Whether the brain is the caller's, not the game's. */
+  private final boolean isGiven;
+
+  /** The jars that the brain was looked for in. */
+  private ClassLoader jars;
+
   /** Brain of a skilled bot in Carom's own games; asked as seldom as the bot decides. */
   private BotBrain skill;
 
-  private String brainGame = "";
+  private String brainGame;
   private final Input held = new Input();
   private int thinkAt;
   private int changeMindAt;
@@ -71,7 +78,7 @@ public final class Bot implements InputSource {
    * @param seed equal seeds that see equal pictures play the same
    */
   public Bot(long seed) {
-    this(seed, false, false, null);
+    this(seed, false, false, null, null);
   }
 
   /**
@@ -82,11 +89,14 @@ public final class Bot implements InputSource {
    *     flocks around few balls
    */
   public Bot(long seed, boolean roams) {
-    this(seed, roams, false, null);
+    this(seed, roams, false, null, null);
   }
 
-  private Bot(long seed, boolean roams, boolean skilled, Strength strength) {
+  private Bot(long seed, boolean roams, boolean skilled, Strength strength, BotBrain given) {
     this.roams = roams;
+    isGiven = given != null;
+    brain = given;
+    brainGame = given == null ? "" : given.game();
     this.skilled = skilled;
     this.strength = strength;
     random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
@@ -102,9 +112,7 @@ public final class Bot implements InputSource {
    * @param brain this bot's alone
    */
   public Bot(long seed, BotBrain brain) {
-    this(seed);
-    this.brain = brain;
-    brainGame = brain.game();
+    this(seed, false, false, null, brain);
   }
 
   /**
@@ -123,18 +131,17 @@ public final class Bot implements InputSource {
    * @param strength null for one by chance
    */
   public static Bot skilled(long seed, Strength strength) {
-    return new Bot(seed, false, true, strength);
+    return new Bot(seed, false, true, strength, null);
   }
 
   @Override
   public void sample(ClientView view, int tick, Input out) {
     if (!roams && !view.game().equals(brainGame)) {
       brainGame = view.game();
-      brain = graded(BotBrains.create(brainGame));
-      skill = skilled ? graded(BotBrains.shipped(brainGame)) : null;
-      if (brain == null && skill instanceof PlatformerBrain) { // a jump is a matter of ticks
-        brain = skill;
-      }
+      brain = find();
+    } else if (!roams && !isGiven && jars != GameJars.loader()) {
+      BotBrain fresh = find();
+      brain = fresh == null ? brain : fresh; // one that can't be loaded is told, and the old stays
     }
     if (brain != null) {
       if (senses.look(view, tick)) {
@@ -162,6 +169,15 @@ public final class Bot implements InputSource {
       }
     }
     out.set(held);
+  }
+
+  /** Returns the brain for the present game, or null. */
+  private BotBrain find() {
+    jars = GameJars.loader();
+    BotBrain found = graded(BotBrains.create(brainGame));
+    skill = skilled ? graded(BotBrains.shipped(brainGame)) : null;
+    // A jump is a matter of ticks.
+    return found == null && skill instanceof PlatformerBrain ? skill : found;
   }
 
   private BotBrain graded(BotBrain of) {

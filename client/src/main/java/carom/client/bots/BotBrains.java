@@ -21,7 +21,13 @@ public final class BotBrains {
   /** Most errors before the search ends. A jar that cannot be read may fail at every question. */
   private static final int MAX_ERRORS = 100;
 
-  private static final Map<String, Optional<Supplier<BotBrain>>> FOUND = new ConcurrentHashMap<>();
+  /** Brains that the program itself brings. */
+  private static final Map<String, Supplier<BotBrain>> ADDED = new ConcurrentHashMap<>();
+
+  private static final Map<String, Found> FOUND = new ConcurrentHashMap<>();
+
+  /** The brain that was found in some jars, if they have one. */
+  private record Found(ClassLoader jars, Optional<Supplier<BotBrain>> brain) {}
 
   private BotBrains() {}
 
@@ -32,17 +38,26 @@ public final class BotBrains {
    * @param brain makes a new instance for each bot
    */
   public static void add(Supplier<BotBrain> brain) {
-    FOUND.put(brain.get().game(), Optional.of(brain));
+    ADDED.put(brain.get().game(), brain);
   }
 
   /** Forgets the brain that was added or found for a game; it is looked for again when needed. */
   public static void remove(String game) {
+    ADDED.remove(game);
     FOUND.remove(game);
   }
 
   /** Returns a new instance of the brain for a game, or null if the game has none. */
   public static BotBrain create(String game) {
-    return FOUND.computeIfAbsent(game, BotBrains::find).map(Supplier::get).orElse(null);
+    Supplier<BotBrain> added = ADDED.get(game);
+    if (added != null) {
+      return added.get();
+    }
+    ClassLoader jars = GameJars.loader();
+    Found found =
+        FOUND.compute(
+            game, (g, old) -> old != null && old.jars == jars ? old : new Found(jars, find(g)));
+    return found.brain.map(Supplier::get).orElse(null);
   }
 
   /** Returns a new instance of Carom's own brain for one of its games, or null. */

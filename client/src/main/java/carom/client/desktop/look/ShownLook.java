@@ -4,6 +4,7 @@ import carom.client.look.GameView;
 import carom.client.look.GameViews;
 import carom.client.look.ViewSetup;
 import carom.game.GameFault;
+import carom.game.GameJars;
 import carom.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -25,6 +26,9 @@ public final class ShownLook {
   private ViewSetup setup = new ViewSetup();
   private Class<?> home;
 
+  /** The jars that the view was looked for in. */
+  private ClassLoader jars;
+
   /**
    * Creates the usual look.
    *
@@ -35,18 +39,29 @@ public final class ShownLook {
   }
 
   /**
-   * Looks for the view of a game, if it is another one than before. A view that throws leaves the
-   * usual look; the log and the player are told once.
+   * Looks for the view of a game, if it is another one than before, or if the jars are new. A view
+   * that throws leaves the usual look, or the one before if that is of the same game; the log and
+   * the player are told once.
    *
-   * @return whether the game is another one
+   * @return whether the game or the look is another one
    */
   public boolean show(String name) {
-    if (game.equals(name)) {
+    boolean isNew = !game.equals(name);
+    if (!isNew && jars == GameJars.loader()) {
       return false;
     }
     game = name;
-    setup = new ViewSetup();
-    home = null;
+    jars = GameJars.loader();
+    if (isNew) {
+      setup = new ViewSetup();
+      home = null;
+    }
+    return take(name) || isNew;
+  }
+
+  /** Takes the look that the view of a game declares, and returns whether there is one. */
+  private boolean take(String name) {
+    String stays = home == null ? "the usual one" : "the one before";
     try {
       ViewSetup declared = new ViewSetup();
       GameView view = GameViews.create(name);
@@ -54,12 +69,16 @@ public final class ShownLook {
         view.setUp(declared);
         setup = declared;
         home = view.getClass();
+        return true;
+      }
+      if (home != null) {
+        player.accept("The game's own look is gone or can't be loaded, so it has " + stays);
       }
     } catch (RuntimeException | Error e) { // also an error, such as a class that is missing
       LOG.error("the view of game {} failed: {}", name, GameFault.describe(e), e);
-      player.accept("The game's own look failed, so it has the usual one");
+      player.accept("The game's own look failed, so it has " + stays);
     }
-    return true;
+    return false;
   }
 
   /**
