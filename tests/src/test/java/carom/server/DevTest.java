@@ -27,7 +27,7 @@ final class DevTest {
       package other;
       public final class Skaters implements carom.sim.Game {
         public String name() { return "skaters"; }
-        public String defaultLevel() { return "rink"; }
+        public String defaultLevel() { return "skaters-rink"; }
         public void setUp(carom.sim.SetUp s) {}
         public void begin(carom.sim.Match m) { m.notice("BUILD"); }
         public void join(carom.sim.Match m, carom.sim.entity.Player p) {}
@@ -132,7 +132,7 @@ final class DevTest {
         new JarOutputStream(Files.newOutputStream(games.resolve("skaters.jar")))) {
       put(jar, "other/Skaters.class", Files.readAllBytes(out.resolve("other/Skaters.class")));
       put(jar, "META-INF/services/carom.sim.Game", "other.Skaters\n".getBytes(UTF_8));
-      put(jar, "levels/rink.json", level("Rink " + build, "skaters").getBytes(UTF_8));
+      put(jar, "levels/skaters-rink.json", level("Rink " + build, "skaters").getBytes(UTF_8));
     }
   }
 

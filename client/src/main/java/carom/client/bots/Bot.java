@@ -53,7 +53,7 @@ public final class Bot implements InputSource {
   private final Senses senses;
   private BotBrain brain;
 
-  /** Whether the brain is the caller's, not the game's. */
+  /** True if the brain is the caller's, not the game's. */
   private final boolean isGiven;
 
   /** The jars that the brain was looked for in. */
