@@ -77,6 +77,7 @@ final class GameScreen extends ScreenAdapter {
   private Conversation conversation;
   private float secondsPlayed;
   private boolean played;
+  private int buttons; // of the last sample
 
   private Function<byte[], LevelSender> sender = level -> null;
 
@@ -109,6 +110,7 @@ final class GameScreen extends ScreenAdapter {
     actionHints = new ActionHints(keys, controls, canvas, fonts);
     pause = new PauseMenu(widgets, host, new PauseActions());
     picture = new GamePicture(canvas, fonts, sounds);
+    picture.showSlowMotion();
     teamNews = new TeamNews(picture.game());
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
     hints = new KeyHints(picture.hud(), fonts, picture.game());
@@ -222,6 +224,10 @@ final class GameScreen extends ScreenAdapter {
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
     readiness.sampled(view, out);
+    if ((out.buttons() & ~buttons) != 0) {
+      picture.skipSlowMotion();
+    }
+    buttons = out.buttons();
   }
 
   private final class PauseActions implements PauseMenu.Actions {
@@ -362,6 +368,7 @@ final class GameScreen extends ScreenAdapter {
   }
 
   private boolean handle(int key) {
+    picture.skipSlowMotion();
     if (keys.does(key, KeyAction.MUTE)) {
       picture.toggleSound();
       return true;
@@ -439,6 +446,9 @@ final class GameScreen extends ScreenAdapter {
 
   private void draw(ClientView view, long nowNs, float deltaSeconds) {
     Hud hud = picture.hud();
+    if (Gdx.input.justTouched()) {
+      picture.skipSlowMotion();
+    }
     boolean tab = !pause.isOpen() && keys.isDown(KeyAction.PLAYERS);
     picture.panels(!rooms.isOpen());
     picture.draw(view, tab, nowNs, deltaSeconds);

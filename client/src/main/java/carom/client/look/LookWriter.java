@@ -55,7 +55,11 @@ final class LookWriter {
     list("backgrounds", v.backgrounds(), this::background);
     json.writeObjectFieldStart("events");
     for (String name : v.events()) {
-      list(name, v.event(name), this::effect);
+      // The page keeps no pictures, so it shows none again.
+      list(
+          name,
+          v.event(name).stream().filter(e -> !(e instanceof SlowMotion)).toList(),
+          this::effect);
     }
     json.writeEndObject();
     json.writeObjectFieldStart("blows");

@@ -96,10 +96,24 @@ public final class ViewSetup {
    * Adds what a blow to a body sets off, in place of the usual sparks.
    *
    * @param archetype name of the body's archetype
+   * @throws IllegalArgumentException for a {@link SlowMotion}, which only an event has
    */
   public void blow(String archetype, Effect... effects) {
+    if (hasSlowMotion(List.of(effects))) {
+      throw new IllegalArgumentException(
+          "blow=\"" + archetype + "\" can't have a slow motion; declare it for an event");
+    }
     blows.computeIfAbsent(archetype, n -> limited(blows.size(), new ArrayList<>()));
     blows.get(archetype).addAll(List.of(effects));
+  }
+
+  /** Returns whether any event is shown again in slow motion. */
+  public boolean hasSlowMotion() {
+    return events.values().stream().anyMatch(ViewSetup::hasSlowMotion);
+  }
+
+  private static boolean hasSlowMotion(List<Effect> effects) {
+    return effects.stream().anyMatch(SlowMotion.class::isInstance);
   }
 
   /** Sets what bodies of an archetype leave behind them, in place of the usual streak. */

@@ -53,6 +53,17 @@ public final class ClientView {
 
     Drawn() {}
 
+    /** Copies another one. */
+    void set(Drawn other) {
+      id = other.id;
+      generation = other.generation;
+      archetype = other.archetype;
+      ownerId = other.ownerId;
+      alpha = other.alpha;
+      predicted = other.predicted;
+      pose.set(other.pose);
+    }
+
     /** Returns its slot; of what the own input spawned and the server hasn't told, its origin. */
     public int id() {
       return id;
@@ -218,6 +229,27 @@ public final class ClientView {
   /** Makes the entity that was added last the own one. */
   void markLastAsOwn() {
     own = count - 1;
+  }
+
+  /** Returns the number of entities that {@link #endSlots} has noted. */
+  int slots() {
+    return ofSlots;
+  }
+
+  /** Returns the index of the own entity, or -1. */
+  int ownIndex() {
+    return own;
+  }
+
+  /** Sets both for entities that were added as they once were. */
+  void slots(int slots, int ownIndex) {
+    ofSlots = slots;
+    own = ownIndex;
+  }
+
+  /** Shows the first joints again that {@link #clear} has hidden. */
+  void joints(int shown) {
+    jointCount = shown;
   }
 
   void roster(Roster changes) {

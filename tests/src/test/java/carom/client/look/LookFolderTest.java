@@ -85,7 +85,11 @@ final class LookFolderTest {
                   v.sprite("crate", "/carom/client/look/shooter/gun.png").perMetre(2).upright();
                   v.sprite("gun", "/carom/client/look/rockets/gun.png").tint(0x102030);
                   v.background(smoke).height(12).parallax(0.25f).standsAt(-3);
-                  v.event("boom", Particles.burst(30).speed(2, 5).glow(), Shake.by(0.5f));
+                  v.event(
+                      "boom",
+                      SlowMotion.last(1),
+                      Particles.burst(30).speed(2, 5).glow(),
+                      Shake.by(0.5f));
                   v.trail("rocket", Particles.stream(40).picture(smoke));
                   v.camera().height(18).lead(0.5f);
                   v.hud(HudItem.bar("damage", ShooterFields.DAMAGE).colour(0xff0000));
@@ -110,6 +114,7 @@ final class LookFolderTest {
     Json boom = look.fields.get("events").fields.get("boom");
     assertEquals("PARTICLES 30", texts(boom.items.get(0).fields, "kind", "count"));
     assertEquals("SHAKE 0.5", texts(boom.items.get(1).fields, "kind", "metres"));
+    assertEquals(2, boom.items.size(), "a page shows nothing in slow motion");
     assertEquals(
         "40 smoke.png",
         texts(look.fields.get("trails").fields.get("rocket").fields, "count", "picture"));

@@ -1,6 +1,7 @@
 package carom.client.look;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -75,6 +76,8 @@ final class ViewSetupTest {
     ranged(0, (float) Math.PI, p::spread);
     ranged(0, 2, Shake::by);
     ranged(0.05f, 3, v -> Shake.by(1).seconds(v));
+    ranged(0.2f, 3, SlowMotion::last);
+    ranged(0.1f, 1, v -> SlowMotion.last(1).speed(v));
     ranged(0, 1, v -> SoundFile.of("a.ogg").volume(v));
     ranged(0.5f, 2, v -> SoundFile.of("a.ogg").pitch(v, v));
     ranged(4, 200, v -> setup.camera().height(v));
@@ -105,6 +108,14 @@ final class ViewSetupTest {
     setup.event("boom", burst);
     assertEquals(List.of(shake, burst), setup.event("boom"));
     assertEquals(null, setup.event("other"));
+  }
+
+  @Test
+  void onlyAnEventHasASlowMotion() {
+    assertFalse(setup.hasSlowMotion());
+    refused("declare it for an event", () -> setup.blow("ball", SlowMotion.last(1)));
+    setup.event("goal", Shake.by(1), SlowMotion.last(1));
+    assertTrue(setup.hasSlowMotion());
   }
 
   @Test

@@ -29,6 +29,7 @@ import carom.sim.level.Level;
 import carom.sim.outbox.Event;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.Disposable;
 import com.badlogic.gdx.utils.ScreenUtils;
 import java.util.function.UnaryOperator;
@@ -69,11 +70,14 @@ public final class GamePicture implements Disposable {
   private final LookHud lines;
   private final Minimap minimap;
   private final LookCanvas lookCanvas;
+  private final SlowReplay slow;
   private final Pointers pointers;
   private final Aabb subject = new Aabb();
+  private final Vector3 words = new Vector3();
   private Labels labels = (view, hud, camera, nowNs) -> {};
   private boolean showDebug;
   private boolean showPanels = true;
+  private boolean showSlowMotion;
   private double seconds;
   private Level level;
 
@@ -84,6 +88,7 @@ public final class GamePicture implements Disposable {
     parts = new PictureParts(this::repair, hud::showAnswer);
     look = new ShownLook(hud::showAnswer);
     lookPainter = new LookPainter(look, parts, sounds);
+    slow = new SlowReplay(look);
     flashes = new Flashes(lookPainter.effects()::replacesRing);
     colours = new PlayerColours(game);
     world = new WorldPainter(canvas, parts, colours, lookPainter);
@@ -144,6 +149,16 @@ public final class GamePicture implements Disposable {
     showPanels = shown;
   }
 
+  /** Shows what the look wants to be seen again in slow motion, unless the own player plays. */
+  public void showSlowMotion() {
+    showSlowMotion = true;
+  }
+
+  /** Goes on with the present if a slow motion is shown. */
+  public void skipSlowMotion() {
+    slow.skip();
+  }
+
   /** Shows or hides the debug layers. */
   public void debug(boolean shown) {
     showDebug = shown;
@@ -158,6 +173,7 @@ public final class GamePicture implements Disposable {
         if (ago < STALE_SECONDS * view.tickRate()) {
           parts.run("flashes", () -> flashes.happened(event, predicted));
           parts.run("effects of events", () -> lookPainter.effects().happened(event, predicted));
+          slow.happened(event);
           parts.run("sounds", () -> sounds.happened(event, predicted));
         }
       }
@@ -204,14 +220,50 @@ public final class GamePicture implements Disposable {
     if (view.level() != level) {
       level = view.level();
       parts.renew();
+      slow.begin();
     }
     if (look.show(view.game())) {
       lookPainter.renew();
       camera.setup(look.setup().camera());
       parts.run("the look's sounds", () -> sounds.look(look));
+      slow.begin();
     }
+    boolean plays = view.own() != null && !isOver(view);
+    if (slow.update(view, deltaSeconds, showSlowMotion && !plays)) {
+      world.forget();
+    }
+    if (slow.happensAgain()) {
+      flashes.happened(slow.event(), false);
+      lookPainter.effects().happened(slow.event(), false);
+    }
+    float passed = slow.speed() * deltaSeconds;
+    slow.during(view, () -> game(view, width, height, nowNs, passed));
+    if (slow.isOn()) {
+      parts.run("slow motion", this::sayHowToGoOn);
+    } else if (showPanels) {
+      panels(view, table, nowNs);
+    }
+    hud.drawAnswer(deltaSeconds);
+  }
+
+  private boolean isOver(ClientView view) {
+    return !parts.isBroken("clock") && clock.isOver(view);
+  }
+
+  private void sayHowToGoOn() {
+    hud.begin();
+    hud.label(
+        "Slow motion. Any key goes on",
+        words.set(hud.windowWidth() / 2, 0.75f * hud.height(), 0), // below who is watched
+        false,
+        UiColours.TEXT);
+    hud.end();
+  }
+
+  /** Draws the game as the view shows it, with what stands at its bodies. */
+  private void game(ClientView view, int width, int height, long nowNs, float deltaSeconds) {
     Drawn own = view.own() == null ? view.watched() : view.own();
-    Aabb shown = own == null ? null : subject(view, own);
+    Aabb shown = slow.isOn() ? place(slow.event()) : own == null ? null : subject(view, own);
     camera.update(view.level().bounds(), shown, width, height, deltaSeconds);
     float x = own == null ? camera.gdx().position.x : own.x();
     float y = own == null ? camera.gdx().position.y : own.y();
@@ -244,10 +296,10 @@ public final class GamePicture implements Disposable {
     parts.run("pointers", () -> pointers.draw(view, camera));
     parts.run("names", () -> hud.names(view, camera, pixelsPerMetre));
     parts.run("the look's own lines", () -> lookCanvas.draw(view, camera));
-    if (showPanels) {
-      panels(view, table, nowNs);
-    }
-    hud.drawAnswer(deltaSeconds);
+  }
+
+  private Aabb place(Event event) {
+    return subject.set(event.x(), event.y(), event.x(), event.y());
   }
 
   /** Returns what the camera shows: a point ahead of the own body, or all bodies of players. */
@@ -266,7 +318,7 @@ public final class GamePicture implements Disposable {
   }
 
   private void panels(ClientView view, boolean table, long nowNs) {
-    boolean over = !parts.isBroken("clock") && clock.isOver(view);
+    boolean over = isOver(view);
     parts.run("clock", () -> clock.draw(view));
     if (table || over) {
       parts.run("table of players", () -> scoreBoard.draw(view, clock.depth()));

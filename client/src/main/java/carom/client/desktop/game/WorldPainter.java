@@ -139,6 +139,13 @@ public final class WorldPainter {
     look.particles(camera, true);
   }
 
+  /** Forgets what bodies did, as they are those of another moment now. */
+  void forget() {
+    impacts.clear();
+    splashes.clear();
+    look.clear();
+  }
+
   /** Draws what a game's look has between the figures. */
   private void between(OrthographicCamera camera, float pixelsPerMetre, Runnable drawn) {
     if (look.isPlain()) {
@@ -367,9 +374,7 @@ public final class WorldPainter {
     }
     sceneryOf = level;
     scenery.clear();
-    impacts.clear();
-    splashes.clear();
-    look.clear();
+    forget();
     SimulationHost still =
         new SimulationHost(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);

@@ -5,6 +5,7 @@ import carom.client.look.GameView;
 import carom.client.look.HudItem;
 import carom.client.look.Particles;
 import carom.client.look.Shake;
+import carom.client.look.SlowMotion;
 import carom.client.look.SoundFile;
 import carom.client.look.ViewSetup;
 import carom.game.arena.ArenaFields;
@@ -97,6 +98,7 @@ public final class ArenaView implements GameView {
         "goal",
         SoundFile.of("/carom/client/look/cars/lap.wav", "/carom/client/look/cars/flip.wav"),
         Shake.by(0.7f).seconds(0.8f),
+        SlowMotion.last(1).speed(0.4f),
         FLASH,
         SHREDS,
         CONFETTI);
