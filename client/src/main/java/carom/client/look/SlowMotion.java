@@ -2,7 +2,7 @@ package carom.client.look;
 
 /**
  * Shows an event again in slow motion: the picture's last moments, while the game goes on behind
- * them. Only those see it whom it doesn't disturb: who watches or is out, and all once the match is
+ * them. It disturbs nobody who plays: those see it who watch or are out, and all once the match is
  * over. Any key ends it. Each method changes it and returns it.
  *
  * <pre>{@code

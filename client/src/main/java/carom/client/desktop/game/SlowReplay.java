@@ -120,7 +120,7 @@ final class SlowReplay {
     return isOn && isDue;
   }
 
-  /** Lets a view show what is to be seen now, while something draws it. */
+  /** Lets a view show what is seen now, while something draws it. */
   void during(ClientView view, Runnable drawn) {
     if (isOn) {
       past.during(view, at, drawn);
