@@ -12,8 +12,8 @@ import carom.sim.entity.EntityContactVisitor;
  * 17, 1985). Friction at a wall turns a fast spin into speed along the wall; that is the engine's.
  *
  * <p>Here S = m {@value #CURVE} (1 - {@value #ROLL} / |w|): what a ball gets by rolling along walls
- * and discs, at most 18 rad/s in ten minutes of bots, bends nothing. So only who wants a curve has
- * one. The acceleration is at most {@value #CURVE} ({@value #MOST} - {@value #ROLL}) v.
+ * and discs, at most 17.6 rad/s in six minutes of bots, bends nothing. So only who wants a curve
+ * has one. The acceleration is at most {@value #CURVE} ({@value #MOST} - {@value #ROLL}) v.
  */
 final class Spin {
   /** Turning speed of a disc that spins, rad/s. Discs that face their way turn by 14 at most. */
