@@ -219,8 +219,8 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public boolean hasRules() {
-    return game.hasRules();
+  public boolean hasRules(Level level) {
+    return game.hasRules(level);
   }
 
   @Override

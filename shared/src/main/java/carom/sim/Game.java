@@ -207,10 +207,11 @@ public interface Game {
   default void rules(Rules r) {}
 
   /**
-   * Returns whether there are {@link #rules}. Then clients are told what rules need. The default
-   * finds out whether the method is overridden.
+   * Returns whether there are {@link #rules} on a level. Then clients are told what rules need. The
+   * default finds out whether the method is overridden. The same at every call, before {@link
+   * #setUp}, too.
    */
-  default boolean hasRules() {
+  default boolean hasRules(Level level) {
     boolean isOverridden = false;
     for (var method : getClass().getMethods()) {
       isOverridden |=

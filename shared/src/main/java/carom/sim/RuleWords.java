@@ -91,7 +91,7 @@ final class RuleWords {
 
   /** Returns the words that a level needs in a game. */
   static RuleWords of(Game game, Level level) {
-    boolean hasRules = game.hasRules();
+    boolean hasRules = game.hasRules(level);
     return of(
         level.triggers().size(), moved(level, hasRules).size(), sensors(level, hasRules).size());
   }

@@ -124,7 +124,7 @@ final class SimParts {
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
-    hasRules = game.hasRules() || !level.triggers().isEmpty();
+    hasRules = game.hasRules(level) || !level.triggers().isEmpty();
     ruleWords = RuleWords.of(game, level);
     Schema schema = SimulationHost.schemaOf(game, level);
     joints = new JointTable<>(world, decides);

@@ -68,6 +68,7 @@ final class LocalServersTest {
                 "quarry",
                 "rink",
                 "rockets",
+                "ruins",
                 "sandbox",
                 "shooter",
                 "towers")),

@@ -249,9 +249,9 @@ final class RulesTest {
 
   @Test
   void aGameHasRulesIfItOverridesThem() {
-    assertTrue(new Given(r -> {}).hasRules());
-    assertTrue(new GuardedGame(new Given(r -> {}), (callback, s, e) -> {}).hasRules());
-    assertFalse(new PlainGame("plain").hasRules());
-    assertFalse(new GuardedGame(new PlainGame("plain"), (callback, s, e) -> {}).hasRules());
+    assertTrue(new Given(r -> {}).hasRules(null));
+    assertTrue(new GuardedGame(new Given(r -> {}), (callback, s, e) -> {}).hasRules(null));
+    assertFalse(new PlainGame("plain").hasRules(null));
+    assertFalse(new GuardedGame(new PlainGame("plain"), (callback, s, e) -> {}).hasRules(null));
   }
 }

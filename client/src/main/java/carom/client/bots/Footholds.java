@@ -11,7 +11,9 @@ import java.util.Arrays;
 final class Footholds {
   private static final int MOST = 400;
   private static final float HALF_HEIGHT = 0.7f; // of a player
-  private static final float UNREACHED = 1e6f;
+
+  /** Cost of a way that isn't there. */
+  static final float UNREACHED = 1e6f;
 
   private final ClientView view;
   private final float rise;
@@ -21,6 +23,7 @@ final class Footholds {
   private int count;
   private final float[][] cost; // [from][to]
   private final float[] left; // cost from each to the goal
+  private final float[] spent; // cost from one to each
   private final boolean[] done;
   private int goal = -1;
 
@@ -44,6 +47,7 @@ final class Footholds {
     y = Arrays.copyOf(y, count);
     cost = new float[count][count];
     left = new float[count];
+    spent = new float[count];
     done = new boolean[count];
     for (int from = 0; from < count; from++) {
       for (int to = 0; to < count; to++) {
@@ -137,7 +141,7 @@ final class Footholds {
   int next(int from, int to) {
     if (to != goal) {
       goal = to;
-      measure();
+      measure(left, to, true);
     }
     int best = from;
     float least = from == to ? 0 : UNREACHED;
@@ -151,21 +155,32 @@ final class Footholds {
     return best;
   }
 
-  /** Measures the ways from all to the goal (Dijkstra). */
-  private void measure() {
-    Arrays.fill(left, UNREACHED);
+  /** Measures the ways from a foothold to all, for {@link #way}. */
+  void measureFrom(int from) {
+    measure(spent, from, false);
+  }
+
+  /** Returns what the way to a foothold costs, metres and more; {@link #UNREACHED} without one. */
+  float way(int to) {
+    return spent[to];
+  }
+
+  /** Measures the ways from all to one, or from one to all (Dijkstra). */
+  private void measure(float[] ways, int end, boolean towards) {
+    Arrays.fill(ways, UNREACHED);
     Arrays.fill(done, false);
-    left[goal] = 0;
+    ways[end] = 0;
     for (int round = 0; round < count; round++) {
       int nearest = -1;
       for (int i = 0; i < count; i++) {
-        if (!done[i] && (nearest < 0 || left[i] < left[nearest])) {
+        if (!done[i] && (nearest < 0 || ways[i] < ways[nearest])) {
           nearest = i;
         }
       }
       done[nearest] = true;
       for (int i = 0; i < count; i++) {
-        left[i] = Math.min(left[i], cost[i][nearest] + left[nearest]);
+        float step = towards ? cost[i][nearest] : cost[nearest][i];
+        ways[i] = Math.min(ways[i], step + ways[nearest]);
       }
     }
   }

@@ -9,7 +9,7 @@ final class Hopper {
   private static final float FEET = 0.7f; // below the middle, m
   private static final float ON_CRATES = 6;
   private static final int JUMP_TICKS = 10;
-  private static final int PATIENCE_TICKS = 150;
+  private static final int PATIENCE_TICKS = 100;
   private static final int DETOUR_TICKS = 40;
 
   private final float rise;
@@ -72,11 +72,12 @@ final class Hopper {
     float rise = footholds.y(next) - feet;
     out.move(Math.abs(dx) < 0.2f ? 0 : Math.max(-1, Math.min(1, 1.5f * dx)), 0);
     boolean walks = isThere && Math.abs(dx) < 1.8f && Math.abs(rise) < 0.7f;
-    if (isStuck(s)) {
+    boolean isStuck = isStuck(s);
+    if (isStuck) {
       out.move(side, 0);
       walks = false;
     }
-    boolean below = rise < -0.7f && Math.abs(dx) < 1.6f;
+    boolean below = !isStuck && rise < -0.7f && Math.abs(dx) < 1.6f;
     boolean falls = own.velocityY() < 1 && rise > (Math.abs(dx) > 1.5f ? -1 : 0.2f); // short
     boolean jump = stands ? !walks && !below : falls && jumpsTwice;
     int since = Math.abs(s.tick() - jumpedAt);

@@ -59,7 +59,8 @@ public interface MatchLibrary {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
             Stream.of(
-                "commons", "harbour", "lagoon", "orbit", "quarry", "rink", "sluice", "towers"))
+                "commons", "harbour", "lagoon", "orbit", "quarry", "rink", "ruins", "sluice",
+                "towers"))
         .distinct()
         .filter(Level::isBuiltIn)
         .toList();

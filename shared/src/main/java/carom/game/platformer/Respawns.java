@@ -31,46 +31,41 @@ final class Respawns {
     if (p.get(CHECKED) && p.get(CHECK_X) == x && p.get(CHECK_Y) == y) {
       return;
     }
-    keep(p, x, y);
-    m.emit(course.checkpointEvent).at(x, y).by(p);
-  }
-
-  private static void keep(Player p, float x, float y) {
     p.set(CHECKED, true);
     p.set(CHECK_X, x);
     p.set(CHECK_Y, y);
+    m.emit(course.checkpointEvent).at(x, y).by(p);
+  }
+
+  /** Puts a player who has come to the goal back to the start. */
+  void returnToStart(Match m, Player p) {
+    float x = (course.start.minX() + course.start.maxX()) / 2;
+    int place = course.nearestPlace(x, course.start.minY());
+    p.entity().despawn();
+    p.set(CHECKED, false);
+    giveBody(m, p, place);
   }
 
   private void comeBack(Match m, Player p) {
+    Foes.spare(m, p);
     if (!p.get(CHECKED)) {
       giveBody(m, p, p.get(RESPAWN_PLACE));
       return;
     }
-    float x = p.get(CHECK_X);
-    float y = p.get(CHECK_Y);
-    giveBody(m, p, x, y);
-    keep(p, x, y); // a new body has new fields
+    giveBody(m, p, p.get(CHECK_X), p.get(CHECK_Y));
   }
 
-  /** Gives players who have waited long enough a body. */
-  void bringBack(Match m) {
-    for (Player p : m.players()) {
-      if (!p.isAlive() && p.get(RESPAWN) == 0) {
+  /** Takes a player who has fallen out of the game for a while, and gives it another body then. */
+  void afterStep(Match m, Player p) {
+    if (!p.isAlive()) {
+      if (p.get(RESPAWN) == 0) {
         comeBack(m, p);
       }
-    }
-  }
-
-  /** Takes players who have fallen out of the game for a while. */
-  void loseFallen(Match m) {
-    for (Player p : m.players()) {
-      if (!p.isAlive() || !course.isLost(p.entity())) {
-        continue;
-      }
+    } else if (course.isLost(p.entity())) {
       Entity body = p.entity();
       int place = course.nearestPlace(body.x(), body.y());
       m.emit(course.fallEvent).at(body.x(), body.y()).by(p);
-      p.entity().despawn();
+      body.despawn();
       p.set(RESPAWN, m.ticks(RESPAWN_SECONDS));
       p.set(RESPAWN_PLACE, place);
     }
@@ -96,7 +91,7 @@ final class Respawns {
   }
 
   private void giveBody(Match m, Player p, float x, float lowest) {
-    p.resetFields();
+    Runners.reset(p);
     float y = lowest;
     for (int i = 0; i < 5 && !isFree(m, x, y); i++) {
       y += PlatformerGame.PLAYER_HEIGHT + 0.1f;

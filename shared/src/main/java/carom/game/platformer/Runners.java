@@ -30,6 +30,14 @@ final class Runners {
     this.course = course;
   }
 
+  /** Forgets what a player did with the body that it had before. */
+  static void reset(Player p) {
+    p.set(CAN_JUMP, 0);
+    p.set(WANTS_JUMP, 0);
+    p.set(DROPS, 0);
+    p.set(JUMPING, false);
+  }
+
   /** Moves a player as it commands. */
   void move(Simulation s, Player p, Input in) {
     Entity body = p.entity();

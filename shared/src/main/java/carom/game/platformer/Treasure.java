@@ -80,6 +80,9 @@ final class Treasure {
   /** Puts the flag at another place than last time. */
   private void placeFlag(Match m) {
     int places = course.flags.size();
+    if (places == 0) {
+      return;
+    }
     if (places > 1) {
       int further = 1 + m.random().nextInt(places - 1);
       m.set(FLAG_PLACE, (m.get(FLAG_PLACE) + further) % places);

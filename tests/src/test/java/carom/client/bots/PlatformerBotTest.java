@@ -2,7 +2,8 @@ package carom.client.bots;
 
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Goal: bots of {@code platformer} play it as well as they should. Method: {@link BotMatch}. */
 final class PlatformerBotTest {
@@ -24,13 +25,15 @@ final class PlatformerBotTest {
         }
       };
 
-  @Test
-  void theStrongBeatTheWeakAndNobodyIsBoredOrStuck() {
-    BotMatch.requireGoodPlay("platformer", 40, PlatformerBrain::new, JUDGE);
+  @ParameterizedTest
+  @ValueSource(strings = {"platformer", "ruins"})
+  void theStrongBeatTheWeakAndNobodyIsBoredOrStuck(String level) {
+    BotMatch.requireGoodPlay(level, 40, PlatformerBrain::new, JUDGE);
   }
 
-  @Test
-  void aRunnerAloneIsPredictedExactly() {
-    BotMatch.requireGoodPrediction("platformer", 1, PlatformerBrain::new, n -> n == 1 ? 99 : 80);
+  @ParameterizedTest
+  @ValueSource(strings = {"platformer", "ruins"})
+  void aRunnerAloneIsPredictedExactly(String level) {
+    BotMatch.requireGoodPrediction(level, 1, PlatformerBrain::new, n -> n == 1 ? 99 : 80);
   }
 }

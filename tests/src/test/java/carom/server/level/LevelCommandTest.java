@@ -48,6 +48,7 @@ final class LevelCommandTest {
             "shooter",
             "cars",
             "quarry",
+            "ruins",
             "harbour",
             "sandbox",
             "towers")) {

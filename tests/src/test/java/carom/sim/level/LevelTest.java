@@ -388,6 +388,7 @@ class LevelTest {
             "orbit",
             "platformer",
             "rockets",
+            "ruins",
             "shooter",
             "sluice")) {
       Level level = Level.builtIn(name);
