@@ -123,7 +123,8 @@ final class UploadsTest {
     assertTrue(uploads.remove("Tall Tower"));
     assertEquals(shown, uploads.find(shown).name());
     assertThrows(LevelException.class, () -> Uploads.level(folder, "uploads/" + hash));
-    assertEquals(2, Files.list(folder).count(), "the index and a level: reading changes nothing");
+    String[] files = folder.toFile().list();
+    assertEquals(2, files.length, "the index and a level: reading changes nothing");
   }
 
   @Test
