@@ -323,6 +323,7 @@ final class ArchitectureTest {
         "carom.game",
         "carom.game.arena", // looks and brains know the fields of their games
         "carom.game.cars",
+        "carom.game.platformer",
         "carom.game.playground",
         "carom.game.rockets",
         "carom.game.shooter",

@@ -274,6 +274,7 @@ final class ConnectionTest {
     }
     run(1);
     assertEquals(ConnectionPhase.PLAYING, phase());
-    assertTrue(client.stats().malformed() > 150);
+    // The others name a baseline that isn't there, which counts as lost.
+    assertTrue(client.stats().malformed() > 130, "malformed=" + client.stats().malformed());
   }
 }

@@ -177,7 +177,7 @@ public class GamesTest {
   void predictionMovesALonePlayerLikeTheServer(String game) {
     SimulationHost server = start(game, 1, Role.AUTHORITY);
     SimulationHost client = start(game, 1, Role.PREDICTION);
-    run(server, 1, 3); // the arena's ball has come
+    run(server, 1, 10); // the arena's ball and the platformer's foes have come
     HostPlayer p = server.join("alone");
     HostPlayer mirror = client.mirror().join(p.id(), "alone");
     mirror(server, client, mirror);
@@ -194,7 +194,7 @@ public class GamesTest {
       tellNobody(p.fieldValues(), mirror.fieldValues());
       assertEquals(p.fieldValues().toString(), mirror.fieldValues().toString());
     }
-    assertTrue(client.tick() > 20);
+    assertTrue(client.tick() > 20, () -> "tick=" + client.tick());
   }
 
   /** Copies what no client is told. */

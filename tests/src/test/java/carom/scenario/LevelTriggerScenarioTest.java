@@ -56,7 +56,7 @@ final class LevelTriggerScenarioTest {
                 new Bot(Stepper.SEED + i)));
       }
       clients.forEach(world::awaitPlaying);
-      for (int i = 0; i < 150; i++) {
+      for (int i = 0; i < 200; i++) {
         world.run(0.1);
         highest = Math.max(highest, world.room().simulation().entity(0).y());
         most = Math.max(most, world.room().simulation().entityCount());

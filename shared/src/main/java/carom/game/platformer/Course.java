@@ -40,7 +40,7 @@ final class Course {
   /** A foe that patrols, and chases players that it sees in its zone. */
   final Archetype hunter;
 
-  /** What is left of a foe for a moment. */
+  /** The remains of a foe, for a moment. */
   final Archetype flat;
 
   final EventKind jumpEvent;
@@ -62,7 +62,7 @@ final class Course {
   /** The zones of foes, one for each; they walk on the lower edge. */
   final List<Level.Zone> haunts;
 
-  /** Where runs begin and end; null without. */
+  /** The zones in which runs begin and end; null without. */
   final Level.Zone start;
 
   final Level.Zone goal;

@@ -30,7 +30,7 @@ import carom.sim.level.Level;
  * both sides.
  */
 final class Foes {
-  /** What a foe does. */
+  /** The mood of a foe decides its way. */
   enum Mood {
     PATROLS,
     CHASES_LEFT,

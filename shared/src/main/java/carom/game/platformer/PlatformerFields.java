@@ -89,7 +89,7 @@ public final class PlatformerFields {
   /** The path of the best run, as {@link Runs#x} and {@link Runs#y} read it. */
   public static final Count BEST_PATH = path("bestPath").of(MATCH).to(ALL).times(MAX_SAMPLES);
 
-  // Of a foe: its zone, which way it goes, its mood and the next one, and whom it chases.
+  // Of a foe: its zone, which way it goes, its mood and the next one, and its prey.
   static final Count HAUNT = Field.count("haunt", 0, MAX_FOES - 1).of(ENTITY);
   static final Flag BACK = Field.flag("back").of(ENTITY);
   static final Choice<Foes.Mood> MOOD = Field.choice("mood", Foes.Mood.class).of(ENTITY);
