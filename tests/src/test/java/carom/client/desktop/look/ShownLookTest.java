@@ -40,7 +40,7 @@ final class ShownLookTest {
     assertTrue(look.show("look-fine"));
     assertEquals("jump", look.setup().actions().get(0).name());
     assertFalse(look.show("look-fine"), "it is looked for once");
-    assertTrue(look.show("platformer"));
+    assertTrue(look.show("look-none"));
     assertEquals(List.of(), look.setup().actions(), "another game has its own");
     assertEquals(List.of(), told);
   }
@@ -75,6 +75,8 @@ final class ShownLookTest {
     look.show("rockets");
     assertEquals(6, look.setup().actions().size());
     look.show("platformer");
+    assertEquals(3, look.setup().actions().size());
+    look.show("look-none");
     assertEquals(0, look.setup().actions().size());
   }
 

@@ -222,7 +222,7 @@ final class PlayServerTest {
         new String[][] {
           {"200", "shooter/look.json"},
           {"200", "shooter/sky.png"},
-          {"204", "platformer/look.json"},
+          {"200", "platformer/look.json"},
           {"204", "nowhere/look.json"},
           {"404", "shooter/nothing.png"},
           {"404", "shooter/ShooterView.class"},
