@@ -198,6 +198,7 @@ final class PredictedSetChooser {
     boolean reached = false;
     for (int i = 0; i < simulation.areas().carriers() && !reached; i++) {
       simulation.areas().reach(i, box);
+      box.grow(CARRIER_METRES);
       reached = !marks.isListed(simulation.areas().carrierId(i)) && isOneWithin(box);
     }
     for (int id = 0; references.length > 0 && id < simulation.playerCapacity(); id++) {

@@ -114,10 +114,15 @@ final class RelayCodec {
     }
   }
 
+  /**
+   * Returns how many inputs of a player are told to a client that can't know its last ones: all
+   * since it is relayed, as long as these are few. Later the newest is enough, or each datagram to
+   * a client far away would tell a whole window.
+   */
   private static int past(FrameRing ring, int tick, int since) {
-    int ticks = 1;
-    while (ticks < MAX_WINDOW && tick - ticks >= since && ring.at(tick - ticks) != null) {
-      ticks++;
+    int ticks = tick - since < MAX_WINDOW ? tick - since + 1 : 1;
+    while (ring.at(tick - ticks + 1) == null) {
+      ticks--; // before the first frame
     }
     return ticks;
   }

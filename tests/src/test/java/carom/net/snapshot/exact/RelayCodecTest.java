@@ -93,7 +93,8 @@ class RelayCodecTest {
     StringBuilder out = new StringBuilder();
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      int since = Math.min(RelayCodec.MAX_WINDOW, TICKS - own.relayedSince(p) + 1);
+      int all = TICKS - own.relayedSince(p) + 1;
+      int since = all <= RelayCodec.MAX_WINDOW ? all : 1;
       boolean isKnown = window > 0 && known.has(p) && own.relayedSince(p) <= TICKS - window;
       int told = isKnown ? window : since;
       int ticks = inputs.isRead ? inputs.past[p] : told;
