@@ -23,6 +23,7 @@ public final class Distance {
   private final Core coreA = new Core();
   private final Core coreB = new Core();
   private final Gjk gjk = new Gjk();
+  private double gap;
 
   /** Makes an instance with its own scratch memory. */
   public Distance() {}
@@ -59,9 +60,17 @@ public final class Distance {
     return measure(out);
   }
 
+  /**
+   * Returns the distance that was found last, in metres, negative where roundings overlap: of equal
+   * {@code float} distances it tells which is the less.
+   */
+  public double gap() {
+    return gap;
+  }
+
   private float measure(ClosestPoints out) {
     gjk.run(coreA, coreB);
-    double gap = gjk.distance - (coreA.radius + coreB.radius);
+    gap = gjk.distance - (coreA.radius + coreB.radius);
     double fromA = coreA.radius;
     double fromB = coreB.radius;
     if (!(gap > 0)) {

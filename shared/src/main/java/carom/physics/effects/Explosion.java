@@ -40,6 +40,7 @@ public final class Explosion {
   private final Distance distances = new Distance();
   private final ClosestPoints points = new ClosestPoints();
   private final Transform pose = new Transform();
+  private double nearestGap;
   private double nearestX;
   private double nearestY;
   private double directionX;
@@ -116,10 +117,13 @@ public final class Explosion {
   }
 
   private void push(World<?> world, Body<?> body) {
-    float distance = radius;
+    nearestGap = radius;
     for (int k = 0; k < body.shapeCount(); k++) {
-      distance = isActedOn(body, k) ? nearest(body.shape(k), distance) : distance;
+      if (isActedOn(body, k)) {
+        nearest(body.shape(k));
+      }
     }
+    float distance = (float) Math.max(0, nearestGap);
     if (!(distance < radius)) {
       return;
     }
@@ -146,20 +150,19 @@ public final class Explosion {
     return !body.sensor(shape) && (body.filter(shape).category() & categories) != 0;
   }
 
-  /** Notes the nearest point of a shape if it is nearer; returns the distance of the nearest. */
-  private float nearest(Shape shape, float before) {
-    float least = before;
+  /** Notes the nearest point of a shape if it is nearer than that of the shapes before. */
+  private void nearest(Shape shape) {
     for (int i = 0; i < shape.parts().size(); i++) {
-      float distance = distances.toPoint(shape.parts().get(i), pose, x, y, points);
-      if (distance < least) {
-        least = distance;
+      distances.toPoint(shape.parts().get(i), pose, x, y, points);
+      // In double: beside a seam, the corner of the other part is as near but for a rounding.
+      if (distances.gap() < nearestGap) {
+        nearestGap = distances.gap();
         nearestX = (double) pose.x + points.ax;
         nearestY = (double) pose.y + points.ay;
         directionX = -points.normalX;
         directionY = -points.normalY;
       }
     }
-    return least;
   }
 
   /** Returns the extent of a body across a direction of length one, m. */

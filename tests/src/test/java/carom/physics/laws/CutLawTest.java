@@ -36,6 +36,9 @@ class CutLawTest {
   void anExplosionSeesTheBodyAndNotItsCut() {
     for (int i = 0; i < 40; i++) {
       float x = 4 * random.nextFloat() - 2;
+      if (i % 5 == 1) { // beside a seam, where the corner of the next piece is as near
+        x = 0.5f * random.nextInt(5) - 1 + (random.nextFloat() - 0.5f) * 0.002f;
+      }
       float y = i % 4 == 0 ? 0.2f : -0.6f - 2 * random.nextFloat();
       float[] expected = null;
       for (int[] cut : new int[][] {{1, 1}, {1, 2}, {2, 2}, {1, 5}, {4, 1}}) {
