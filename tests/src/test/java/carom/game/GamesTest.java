@@ -210,7 +210,7 @@ public class GamesTest {
   @ValueSource(strings = {"arena", "platformer"})
   void savingAndRestoringAllocatesNothingAndATickNextToNothing(String game) {
     SimulationHost s = start(game, 6, Role.AUTHORITY);
-    for (int i = 0; i < 15; i++) {
+    for (int i = 0; i < 20; i++) {
       s.join("bot " + i);
     }
     run(s, 6, 600);

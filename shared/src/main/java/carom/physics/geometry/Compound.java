@@ -60,7 +60,7 @@ public final class Compound extends Shape {
   public static Compound ofOutline(float... xy) {
     Limits.notNull("xy", xy);
     for (int i = 0; i < xy.length; i++) {
-      checkCoordinate((i % 2 == 0 ? "outline x" : "outline y") + i / 2, xy[i]);
+      checkCoordinate(i % 2 == 0 ? "outline x" : "outline y", i / 2, xy[i]);
     }
     SimpleOutline outline = new SimpleOutline(xy, MAX_OUTLINE_POINTS);
     List<Polygon> parts = new ArrayList<>();

@@ -104,8 +104,8 @@ public final class Polygon extends Convex {
       // Adding 0 turns -0 into 0, which the sort below would tell apart from -0.
       points[i] =
           new Vec2(
-              checkCoordinate("polygon x" + i, xy[2 * i]) + 0f,
-              checkCoordinate("polygon y" + i, xy[2 * i + 1]) + 0f);
+              checkCoordinate("polygon x", i, xy[2 * i]) + 0f,
+              checkCoordinate("polygon y", i, xy[2 * i + 1]) + 0f);
     }
     return points;
   }
@@ -390,8 +390,8 @@ public final class Polygon extends Convex {
     float[] xs = vx.clone();
     float[] ys = vy.clone();
     for (int i = 0; i < xs.length; i++) {
-      xs[i] = checkCoordinate("polygon x" + i, xs[i] + dx);
-      ys[i] = checkCoordinate("polygon y" + i, ys[i] + dy);
+      xs[i] = checkCoordinate("polygon x", i, xs[i] + dx);
+      ys[i] = checkCoordinate("polygon y", i, ys[i] + dy);
     }
     Polygon moved = new Polygon(xs, ys, nx, ny, radius);
     moved.checkEdges("polygon");

@@ -118,6 +118,11 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
     return value;
   }
 
+  /** Does so for one of many coordinates, whose name is put together only if it is refused. */
+  static float checkCoordinate(String what, int number, float value) {
+    return Math.abs(value) <= MAX_SIZE ? value : checkCoordinate(what + number, value);
+  }
+
   static float checkDensity(float density) {
     if (!(density >= 0 && density <= Float.MAX_VALUE)) {
       throw new IllegalArgumentException(
