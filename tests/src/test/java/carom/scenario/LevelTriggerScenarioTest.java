@@ -53,10 +53,10 @@ final class LevelTriggerScenarioTest {
             world.add(
                 "bot" + i,
                 Preset.MOBILE.impairment().withSeed(Stepper.SEED + i),
-                new Bot(Stepper.SEED + i)));
+                new Bot(Stepper.SEED + 20 * i)));
       }
       clients.forEach(world::awaitPlaying);
-      for (int i = 0; i < 200; i++) {
+      for (int i = 0; i < 150; i++) {
         world.run(0.1);
         highest = Math.max(highest, world.room().simulation().entity(0).y());
         most = Math.max(most, world.room().simulation().entityCount());
