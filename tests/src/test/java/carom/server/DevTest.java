@@ -3,16 +3,14 @@ package carom.server;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Javac;
 import carom.suite.Needs;
-import java.io.File;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -115,19 +113,7 @@ final class DevTest {
   private void jar(Path games, String build) throws Exception {
     Path out = Files.createDirectories(folder.resolve("build" + build));
     Path source = Files.writeString(out.resolve("Skaters.java"), GAME.replace("BUILD", build));
-    int status =
-        ToolProvider.getSystemJavaCompiler()
-            .run(
-                null,
-                OutputStream.nullOutputStream(),
-                null,
-                "-proc:none",
-                "-d",
-                out.toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                source.toString());
-    assertTrue(status == 0 && new File(out + "/other/Skaters.class").exists());
+    Javac.compile(out, source);
     try (JarOutputStream jar =
         new JarOutputStream(Files.newOutputStream(games.resolve("skaters.jar")))) {
       put(jar, "other/Skaters.class", Files.readAllBytes(out.resolve("other/Skaters.class")));

@@ -9,10 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.BotBrain;
 import carom.client.bots.BotBrains;
+import carom.fixtures.Javac;
 import carom.game.GameJars;
 import carom.game.JarWatch;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,7 +20,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.jar.JarOutputStream;
 import java.util.zip.ZipEntry;
-import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -72,20 +71,7 @@ final class NewJarTest {
     Path brain = out.resolve("Brain.java");
     Files.writeString(view, VIEW.replace("NAME", name).replace("THEN", then));
     Files.writeString(brain, BRAIN.replace("NAME", name));
-    int status =
-        ToolProvider.getSystemJavaCompiler()
-            .run(
-                null,
-                OutputStream.nullOutputStream(),
-                null,
-                "-proc:none",
-                "-d",
-                out.toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                view.toString(),
-                brain.toString());
-    assertEquals(0, status);
+    Javac.compile(out, view, brain);
     try (JarOutputStream jar =
         new JarOutputStream(Files.newOutputStream(games.resolve("dev.jar")))) {
       for (String entry : List.of("dev/View.class", "dev/Brain.class")) {
