@@ -53,7 +53,7 @@ final class LevelTriggerScenarioTest {
             world.add(
                 "bot" + i,
                 Preset.MOBILE.impairment().withSeed(Stepper.SEED + i),
-                new Bot(Stepper.SEED + 20 * i)));
+                new Bot(Stepper.SEED + 20L * i)));
       }
       clients.forEach(world::awaitPlaying);
       for (int i = 0; i < 150; i++) {

@@ -29,8 +29,10 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
@@ -146,6 +148,9 @@ final class WindowPlayer {
   private int looks;
   private int seen;
 
+  /** Counts why the picture couldn't be looked at, by reason. */
+  private final Map<String, Integer> covers = new TreeMap<>();
+
   private WindowPlayer(Robot robot, long seed) {
     this.robot = robot;
     random = new Random(seed);
@@ -200,10 +205,17 @@ final class WindowPlayer {
       goTo(room);
       looks = 0;
       seen = 0;
+      covers.clear();
       pressForSeconds(seconds);
       awaitBody();
       System.out.printf(
-          Locale.ROOT, "room %s looks %d seen %d heap %d MB%n", room, looks, seen, heapMb());
+          Locale.ROOT,
+          "room %s looks %d seen %d else %s heap %d MB%n",
+          room,
+          looks,
+          seen,
+          covers,
+          heapMb());
       if (looks < LOOKS || seen < 0.6 * looks) {
         System.out.println(
             "problem: in room " + room + " the own body is seen " + seen + " of " + looks);
@@ -260,10 +272,14 @@ final class WindowPlayer {
     Collections.shuffle(acts, random);
     int next = 0;
     while (next < acts.size() || System.nanoTime() < end) {
+      closeMenu();
       acts.get(next++ % acts.size()).run();
       aim();
       if (next % 3 == 0) {
         look();
+      }
+      if (next % 6 == 0) {
+        playAgain();
       }
       if (!(screen() instanceof GameScreen)) {
         throw new IllegalStateException("the game ended: " + screen());
@@ -277,13 +293,37 @@ final class WindowPlayer {
   private void lookSometimes() throws Exception {
     long end = System.nanoTime() + LIMIT_NS / 3;
     while (looks < LOOKS && System.nanoTime() < end) {
-      boolean[] watches = {false};
-      run(() -> watches[0] = isSpectator());
-      if (watches[0]) {
-        withTable(KeyEvent.VK_P);
-      }
+      closeMenu();
+      playAgain();
       Thread.sleep(400);
       look();
+    }
+  }
+
+  /**
+   * Closes a menu that a key opened at the moment of a new match, which closed the one before: the
+   * next click could otherwise be one on "quit".
+   */
+  private void closeMenu() throws Exception {
+    long end = System.nanoTime() + LIMIT_NS / 3;
+    while (holds(WindowPlayer::isMenuOpen) && System.nanoTime() < end) {
+      tap(KeyEvent.VK_ESCAPE);
+      Thread.sleep(300);
+    }
+  }
+
+  private static boolean isMenuOpen() {
+    return Gdx.input.getInputProcessor() instanceof Stage;
+  }
+
+  /** Asks for a seat again if the player watches, and waits for it a while. */
+  private void playAgain() throws Exception {
+    if (holds(this::isSpectator)) {
+      withTable(KeyEvent.VK_P);
+      long end = System.nanoTime() + 3_000_000_000L;
+      while (holds(this::isSpectator) && System.nanoTime() < end) {
+        Thread.sleep(50);
+      }
     }
   }
 
@@ -342,14 +382,15 @@ final class WindowPlayer {
   private void look() throws Exception {
     run(
         () -> {
-          if (!(screen() instanceof GameScreen game)
-              || Gdx.input.getInputProcessor() instanceof Stage) {
+          if (!(screen() instanceof GameScreen game)) {
             return;
           }
           game.render(0);
           ClientView view = game.view();
           Drawn own = view.own();
-          if (own == null || own.alpha() < 1 || game.isCovered()) {
+          String cover = cover(game, own);
+          if (cover != null) {
+            covers.merge(cover, 1, Integer::sum);
             return;
           }
           looks++;
@@ -381,6 +422,20 @@ final class WindowPlayer {
             Pictures.save("unseen-" + looks + ".png");
           }
         });
+  }
+
+  /** Returns why the own body can't be looked for, or null if it must be seen. */
+  private String cover(GameScreen game, Drawn own) {
+    if (isMenuOpen()) {
+      return "menu";
+    }
+    if (game.isCovered()) {
+      return "covered";
+    }
+    if (own == null) {
+      return isSpectator() ? "watches" : "out";
+    }
+    return own.alpha() < 1 ? "fades" : null;
   }
 
   /** Returns the box around a body's shapes as it is turned, metres. */
@@ -559,12 +614,17 @@ final class WindowPlayer {
     done.get();
   }
 
-  /** Waits for what is so between two frames; views belong to the render thread. */
+  /** Returns whether something is so between two frames; views belong to the render thread. */
+  private static boolean holds(BooleanSupplier condition) throws Exception {
+    boolean[] so = {false};
+    run(() -> so[0] = condition.getAsBoolean());
+    return so[0];
+  }
+
+  /** Waits for what is so between two frames. */
   private static void until(String what, BooleanSupplier condition) throws Exception {
     long end = System.nanoTime() + LIMIT_NS;
-    boolean[] so = {false};
-    while (!so[0]) {
-      run(() -> so[0] = condition.getAsBoolean());
+    while (!holds(condition)) {
       if (System.nanoTime() > end) {
         throw new IllegalStateException("never so: " + what + ", on " + screen());
       }
