@@ -32,6 +32,15 @@ final class EntityMarks {
     listed[id] = 0;
   }
 
+  /** Marks a listed entity as left out, because there is no room for all that it touches. */
+  void leaveOut(int id) {
+    listed[id] = -round;
+  }
+
+  boolean isLeftOut(int id) {
+    return listed[id] == -round;
+  }
+
   /** Returns whether an entity is marked as listed. */
   boolean isListed(int id) {
     return listed[id] == round;

@@ -55,6 +55,16 @@ final class ExactUpdate {
   private boolean underWay;
   private int baseTick;
 
+  /** Differences after this tick and before {@link #beyondHelpUntil} are put right by none. */
+  private int beyondHelpAfter = Integer.MAX_VALUE;
+
+  private int beyondHelpUntil;
+
+  /**
+   * When the update before this one was sent as a whole; no tick is later if this one tells all.
+   */
+  private int earlierSentTick = Integer.MAX_VALUE;
+
   /** True if the last update was given up before all of it arrived. */
   private boolean givenUp;
 
@@ -87,6 +97,15 @@ final class ExactUpdate {
    */
   boolean isHelping() {
     return underWay && !delivery.isEarlierPartLost();
+  }
+
+  /**
+   * Returns whether no update that was begun so far can put right a difference at a tick, though
+   * another has been begun since. Without this, a set that changes more often than news from the
+   * client arrive would explain every difference for ever.
+   */
+  boolean isBeyondHelp(int tick) {
+    return tick > beyondHelpAfter && tick < beyondHelpUntil;
   }
 
   /** Returns whether the exact state of an entity was told, or follows from what was told. */
@@ -130,6 +149,8 @@ final class ExactUpdate {
     known.clear();
     underWay = false;
     givenUp = false;
+    beyondHelpAfter = Integer.MAX_VALUE;
+    earlierSentTick = Integer.MAX_VALUE;
   }
 
   /**
@@ -140,6 +161,7 @@ final class ExactUpdate {
    */
   void begin(EntityList near, boolean all) {
     boolean repeats = isDoubtful();
+    noteHelp(all, repeats);
     noteUnconfirmed(repeats);
     if (all) {
       delivery.forgetEarlier();
@@ -156,15 +178,24 @@ final class ExactUpdate {
       members.add(key);
       int at = known.find(key, likely);
       likely = at < 0 ? likely : at + 1;
-      if (all || at < 0 || isChanged(near, i) || unconfirmed.find(key, 0) >= 0) {
+      boolean isNew = at < 0 || unconfirmed.find(key, 0) >= 0;
+      if (all || isNew || isChanged(near, i)) {
         rows.tell(i);
       }
-      if (at < 0 && near.get(i).body().awake()) {
+      if (isNew && near.get(i).body().awake()) {
         rows.tellIsland(i);
       }
     }
     rows.end();
     delivery.begin(rows.count());
+  }
+
+  /** Notes which differences the update that begins, and the one that it repeats, don't tell of. */
+  private void noteHelp(boolean all, boolean repeats) {
+    int sentTick = delivery.sentTick();
+    beyondHelpAfter = all ? Integer.MAX_VALUE : repeats ? earlierSentTick : sentTick;
+    beyondHelpUntil = repeats ? baseTick : simulation.tick();
+    earlierSentTick = all ? Integer.MAX_VALUE : sentTick;
   }
 
   private boolean isChanged(EntityList near, int place) {

@@ -198,12 +198,14 @@ public final class PredictedSet {
    * the update under way explains it, its missing parts are sent again instead.
    */
   private boolean mayTellDisagreement(int disagreedTick) {
-    if (disagreedTick <= update.sentTick()) {
-      return false;
-    }
-    if (update.isHelping()) {
-      update.sendMissingAgain();
-      return false;
+    if (!update.isBeyondHelp(disagreedTick)) {
+      if (disagreedTick <= update.sentTick()) {
+        return false;
+      }
+      if (update.isHelping()) {
+        update.sendMissingAgain();
+        return false;
+      }
     }
     return !rulings.isBehind() && limits.takeFullUpdate(simulation.tick());
   }

@@ -28,7 +28,8 @@ import java.util.stream.IntStream;
  *   <li>what the player's input has spawned, wherever it is, with all that it touches;
  *   <li>what is close to the body or soon will be, the closest first, each with all that it
  *       touches; then what is close to the {@value #FOLLOWED} newest spawned ones; while the list
- *       is shorter than {@value #MOST_CLOSE};
+ *       is shorter than {@value #MOST_CLOSE}. An awake heap that doesn't fit into less than half of
+ *       the list isn't chosen: a part of it would fall at the client at once;
  *   <li>all that joints hold together with one of these, directly or through others: bodies that
  *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
  *       cut if the own body touches it, and the client holds the bodies at the cut;
@@ -105,6 +106,9 @@ final class PredictedSetChooser {
 
   private boolean reachedFromOutside;
   private int limit;
+
+  /** True if there was no room for all that a candidate touches. */
+  private boolean lacksRoom;
 
   /** The body around which candidates are gathered, and how close they must be, metres. */
   private Body<HostEntity> centre;
@@ -295,12 +299,14 @@ final class PredictedSetChooser {
   }
 
   private void addIfFit(HostEntity e) {
-    if (!(choosesOwn || affectsOthers(e))
-        || chosen.count() >= limit
-        || !mayKnow.test(e)
-        || !marks.list(e.id())) {
+    if (!(choosesOwn || affectsOthers(e)) || marks.isListed(e.id()) || !mayKnow.test(e)) {
       return;
     }
+    if (chosen.count() >= limit) {
+      lacksRoom = true;
+      return;
+    }
+    marks.list(e.id());
     int first = chosen.count();
     chosen.add(e);
     addJointed(first);
@@ -308,6 +314,7 @@ final class PredictedSetChooser {
       return; // the own body is never left out, whatever hangs on it
     }
     // What no set could hold is cut where there is no more room, if the own island touches it.
+    lacksRoom = true;
     int keep = isTooLarge && spreadsOwn ? limit : first;
     while (chosen.count() > keep) {
       marks.unlist(chosen.removeLast().id());
@@ -360,7 +367,17 @@ final class PredictedSetChooser {
     enterMetres = metres;
     gatherCandidates();
     for (int i = 0; i < candidates.count(); i++) {
-      addWithContacts(candidates.get(i));
+      HostEntity e = candidates.get(i);
+      int first = chosen.count();
+      lacksRoom = marks.isLeftOut(e.id());
+      if (!lacksRoom) {
+        addWithContacts(e);
+      }
+      if (lacksRoom && e.body().awake() && 2 * (limit - first) < limit) {
+        while (chosen.count() > first) {
+          marks.leaveOut(chosen.removeLast().id());
+        }
+      }
     }
     candidates.clear();
   }

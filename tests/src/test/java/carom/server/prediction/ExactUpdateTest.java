@@ -152,6 +152,39 @@ class ExactUpdateTest {
   }
 
   @Test
+  void aDifferenceBeforeTheBaseOfAnUpdateIsNotPutRightByIt() {
+    begin(2, false, true);
+    final int sent = update.sentTick();
+    send(3);
+    acknowledge();
+    final int base = simulation.tick() + 1;
+    begin(3, false, true);
+    assertFalse(update.isBeyondHelp(sent), "of that tick the first one tells");
+    assertTrue(update.isBeyondHelp(sent + 1));
+    assertTrue(update.isBeyondHelp(base - 1));
+    assertFalse(update.isBeyondHelp(base), "of that tick the second one tells");
+    begin(3, true, true);
+    assertFalse(update.isBeyondHelp(base - 1), "all is told");
+  }
+
+  @Test
+  void whatAnUpdateRepeatsMayPutRightWhatItTellsOf() {
+    simulation.step();
+    sendTick(false);
+    send(SEEN);
+    acknowledge();
+    begin(2, false, false);
+    send(1); // the second copy, on a line with losses
+    final int sent = update.sentTick();
+    send(1);
+    begin(3, false, true);
+    assertFalse(update.isBeyondHelp(sent + 1), "the first one is told again");
+    send(1);
+    begin(4, false, true);
+    assertTrue(update.isBeyondHelp(sent + 1), "two have been sent, and neither helped");
+  }
+
+  @Test
   void missingPartsAreSentAgainWithoutWaitingForMoreAcks() {
     begin(2, false, false);
     send(1);
