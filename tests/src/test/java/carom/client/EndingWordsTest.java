@@ -9,6 +9,7 @@ import carom.client.bots.BotFarm;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.RoomBrowser;
 import carom.client.link.ServerAddress;
+import carom.fixtures.Jvm;
 import carom.game.Games;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.server.KryoServerTransport;
@@ -24,7 +25,6 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
 import carom.suite.Needs;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -271,12 +271,8 @@ final class EndingWordsTest {
   }
 
   private static Process headless(Path output, Server real, String... flags) throws Exception {
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-Dkryo.unsafe=false", "-XX:+UseSerialGC"));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(ClientMain.class.getName(), "--headless"));
-    command.addAll(List.of("--host", "localhost:" + real.tcpPort()));
+    List<String> command =
+        Jvm.command(ClientMain.class, "--headless", "--host", "localhost:" + real.tcpPort());
     command.addAll(List.of(flags));
     return new ProcessBuilder(command)
         .redirectErrorStream(true)

@@ -7,6 +7,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.suite.Needs;
@@ -54,22 +55,15 @@ class BotsProcessTest {
 
   private Process start() throws Exception {
     return new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1",
-            "-Dkryo.unsafe=false",
-            "-cp",
-            System.getProperty("java.class.path"),
-            ServerMain.class.getName(),
-            "--bots",
-            "1=3:strong",
-            "--data",
-            folder.resolve("data").toString(),
-            "--bind",
-            "127.0.0.1",
-            "--tcp-port=0",
-            "--udp-port=0",
-            "--no-web",
-            "--no-query")
+            Jvm.command(
+                ServerMain.class,
+                "--bots=1=3:strong",
+                "--data=" + folder.resolve("data"),
+                "--bind=127.0.0.1",
+                "--tcp-port=0",
+                "--udp-port=0",
+                "--no-web",
+                "--no-query"))
         .redirectError(folder.resolve("err").toFile())
         .start();
   }

@@ -4,10 +4,10 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.Javac;
+import carom.fixtures.Jvm;
 import carom.suite.Needs;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -46,22 +46,7 @@ final class DevTest {
 
   private void start(String... args) throws Exception {
     List<String> command =
-        new ArrayList<>(
-            List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-Dkryo.unsafe=false",
-                "-cp",
-                System.getProperty("java.class.path"),
-                ServerMain.class.getName(),
-                "--dev",
-                "--tcp-port",
-                "0",
-                "--udp-port",
-                "0",
-                "--idle",
-                "run"));
+        Jvm.command(ServerMain.class, "--dev", "--tcp-port=0", "--udp-port=0", "--idle=run");
     command.addAll(List.of(args));
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());

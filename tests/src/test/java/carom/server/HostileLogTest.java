@@ -2,6 +2,7 @@ package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
@@ -81,11 +82,7 @@ final class HostileLogTest {
     udp = freePort();
     web = freePort();
     side = freePort();
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
-    command.add(System.getProperty("java.class.path"));
-    command.add(ServerMain.class.getName());
+    List<String> command = Jvm.command(ServerMain.class);
     command.addAll(List.of("--data=" + folder.resolve("data"), "--log-keep=0", "--no-console"));
     command.addAll(List.of("--bind=127.0.0.1", "--tcp-port=" + tcp, "--udp-port=" + udp));
     command.addAll(List.of("--web", "--web-port=" + web, "--join-key=" + pem));

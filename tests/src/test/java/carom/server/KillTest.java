@@ -8,6 +8,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.replay.RecordingReader;
@@ -77,11 +78,7 @@ class KillTest {
   /** Starts the server and returns the milliseconds until players could join. */
   private long start() throws Exception {
     starts++;
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
-    command.add(System.getProperty("java.class.path"));
-    command.add(ServerMain.class.getName());
+    List<String> command = Jvm.command(ServerMain.class);
     command.addAll(List.of("--data", folder.resolve("data").toString(), "--checkpoint", "1s"));
     command.addAll(List.of("--tcp-port", "" + tcpPort, "--udp-port", "" + udpPort));
     command.addAll(List.of("--no-web", "--bind", "127.0.0.1", "--grace", "600", "--log-keep", "0"));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Jvm;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
@@ -25,7 +26,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -201,20 +201,15 @@ final class PlayersLevelsTest {
   /** Starts a server on the folder until it is ready or fails, and returns what it logs. */
   private String start(String... flags) throws Exception {
     List<String> command =
-        new ArrayList<>(
-            List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-cp",
-                System.getProperty("java.class.path"),
-                ServerMain.class.getName(),
-                "--data=" + folder,
-                "--bind=127.0.0.1",
-                "--tcp-port=0",
-                "--udp-port=0",
-                "--no-web",
-                "--no-query",
-                "--no-console"));
+        Jvm.command(
+            ServerMain.class,
+            "--data=" + folder,
+            "--bind=127.0.0.1",
+            "--tcp-port=0",
+            "--udp-port=0",
+            "--no-web",
+            "--no-query",
+            "--no-console");
     command.addAll(List.of(flags));
     Path log = folder.resolve("log.txt");
     Process server = new ProcessBuilder(command).redirectError(log.toFile()).start();

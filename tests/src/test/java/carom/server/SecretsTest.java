@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
@@ -85,11 +86,7 @@ final class SecretsTest {
     secret(folder.resolve("list.txt"), "[xkfirstword, yksecondword]\n");
     secret(folder.resolve("half.json"), "{\"name\": ykunfinished\n");
     Files.createSymbolicLink(data.resolve("leak.json"), folder.resolve("half.json"));
-    String path = System.getProperty("java.class.path");
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp", path));
-    command.add(ServerMain.class.getName());
+    List<String> command = Jvm.command(ServerMain.class);
     command.addAll(List.of("--bind", "127.0.0.1", "--tcp-port", "0", "--udp-port", "0"));
     command.addAll(List.of("--rcon", "--rcon-port", "0", "--no-web", "--no-query"));
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());

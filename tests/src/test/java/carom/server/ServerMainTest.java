@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
@@ -76,14 +77,12 @@ class ServerMainTest {
 
   private Process startWithInput(List<String> before, String... args) throws IOException {
     List<String> command = new ArrayList<>(before);
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
-    command.add("-XX:ActiveProcessorCount=2"); // as many games may hang
-    command.addAll(List.of("-Dkryo.unsafe=false", "-cp"));
-    String path = System.getProperty("java.class.path");
-    command.add(games == null ? path : path + File.pathSeparator + games);
-    command.add(ServerMain.class.getName());
-    command.addAll(List.of(args));
+    List<String> jvm = new ArrayList<>(List.of("-XX:ActiveProcessorCount=2")); // as many may hang
+    if (games != null) {
+      String path = System.getProperty("java.class.path");
+      jvm.addAll(List.of("-cp", path + File.pathSeparator + games));
+    }
+    command.addAll(Jvm.command(jvm, ServerMain.class, args));
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.directory(workingFolder == null ? null : workingFolder.toFile());
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());

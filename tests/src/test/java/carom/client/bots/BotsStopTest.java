@@ -3,6 +3,7 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Jvm;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
 import carom.server.Server;
@@ -10,7 +11,6 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import carom.suite.Needs;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
@@ -35,17 +35,11 @@ final class BotsStopTest {
       server.start();
       Process farm =
           new ProcessBuilder(
-                  new File(System.getProperty("java.home"), "bin/java").getPath(),
-                  "-Dkryo.unsafe=false",
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  BotsMain.class.getName(),
-                  "--host",
-                  "localhost:" + server.tcpPort(),
-                  "--count",
-                  "5",
-                  "--seconds",
-                  "60")
+                  Jvm.command(
+                      BotsMain.class,
+                      "--host=localhost:" + server.tcpPort(),
+                      "--count=5",
+                      "--seconds=60"))
               .redirectErrorStream(true)
               .redirectOutput(folder.resolve("bots.txt").toFile())
               .start();

@@ -71,8 +71,7 @@ final class InputToPictureTest {
                   "100")
               .redirectErrorStream(true)
               .redirectOutput(output.toFile());
-      builder.environment().put("DISPLAY", display.name());
-      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      display.show(builder);
       Process window = builder.start();
       try {
         assertTrue(window.waitFor(120, TimeUnit.SECONDS), () -> read(output));

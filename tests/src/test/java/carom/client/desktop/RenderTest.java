@@ -8,13 +8,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import carom.client.bots.Bot;
 import carom.client.look.GameViews;
 import carom.client.look.RandomView;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.server.CaromMain;
 import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -57,18 +57,14 @@ final class RenderTest {
 
   private String render(Class<?> main, List<String> first, int status, String... flags)
       throws Exception {
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
-    command.addAll(first);
+    List<String> command = Jvm.command(main, first.toArray(new String[0]));
     command.add(recorded.toString());
     command.addAll(List.of(flags));
     Path output = folder.resolve("output.txt");
     try (VirtualDisplay display = VirtualDisplay.open()) {
       ProcessBuilder builder =
           new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
-      builder.environment().put("DISPLAY", display.name());
-      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      display.show(builder);
       Process program = builder.start();
       assertTrue(program.waitFor(120, TimeUnit.SECONDS));
       String text = Files.readString(output);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.sim.scene.Scenes;
 import carom.suite.Needs;
@@ -32,23 +33,16 @@ final class SceneWindowTest {
     try (VirtualDisplay display = VirtualDisplay.open()) {
       ProcessBuilder builder =
           new ProcessBuilder(
-                  new File(System.getProperty("java.home"), "bin/java").getPath(),
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  ClientMain.class.getName(),
-                  "--settings",
-                  folder.resolve("player.conf").toString(),
-                  "--scene",
-                  "pyramid",
-                  "--debug",
-                  "--seconds",
-                  "1",
-                  "--screenshot",
-                  picture.getPath())
+                  Jvm.command(
+                      ClientMain.class,
+                      "--settings=" + folder.resolve("player.conf"),
+                      "--scene=pyramid",
+                      "--debug",
+                      "--seconds=1",
+                      "--screenshot=" + picture))
               .redirectErrorStream(true)
               .redirectOutput(ProcessBuilder.Redirect.DISCARD);
-      builder.environment().put("DISPLAY", display.name());
-      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      display.show(builder);
       Process window = builder.start();
       assertTrue(window.waitFor(90, TimeUnit.SECONDS), "the window did not close by itself");
       assertEquals(0, window.exitValue());

@@ -77,6 +77,7 @@ final class ScreenTour {
       while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
         Thread.sleep(20);
       }
+      Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
       switch (tour) {
         case "menus" -> guided.menus();
         case "game" -> guided.game();

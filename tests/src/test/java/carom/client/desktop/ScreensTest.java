@@ -5,17 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.bots.Bot;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.net.transport.Impairment;
 import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
 import carom.suite.Needs;
 import carom.testkit.Stepper;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
@@ -119,18 +118,13 @@ final class ScreensTest {
             look.textSize,
             look.colours));
     Path output = folder.resolve("output.txt");
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
-    command.addAll(List.of("-Dkryo.unsafe=false", "-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(ScreenTour.class.getName(), tour, shots.toAbsolutePath().toString()));
+    List<String> command = Jvm.command(ScreenTour.class, tour, shots.toAbsolutePath().toString());
     command.addAll(List.of("--settings", settings.toString(), "--volume", "0"));
     command.addAll(List.of(flags));
     try (VirtualDisplay display = VirtualDisplay.open(look.width, look.height)) {
       ProcessBuilder builder =
           new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
-      builder.environment().put("DISPLAY", display.name());
-      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      display.show(builder);
       builder.directory(folder.toFile());
       Process window = builder.start();
       try {

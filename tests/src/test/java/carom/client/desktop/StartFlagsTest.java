@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
 import carom.client.bots.Bot;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
@@ -18,12 +19,10 @@ import carom.suite.Needs;
 import carom.testkit.Stepper;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -107,18 +106,14 @@ final class StartFlagsTest {
   private void assertShows(String... flags) throws Exception {
     Path picture = folder.resolve("window.png");
     Path output = folder.resolve("window.txt");
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-Dkryo.unsafe=false", "-cp", System.getProperty("java.class.path")));
-    command.add(ClientMain.class.getName());
-    command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
+    String settings = folder.resolve("player.conf").toString();
+    List<String> command = Jvm.command(ClientMain.class, "--settings", settings);
     command.addAll(List.of("--volume", "0", "--seconds", "3", "--screenshot", picture.toString()));
     command.addAll(List.of(flags));
     try (VirtualDisplay display = VirtualDisplay.open()) {
       ProcessBuilder builder =
           new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
-      builder.environment().put("DISPLAY", display.name());
-      builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+      display.show(builder);
       Process window = builder.start();
       try {
         assertTrue(window.waitFor(100, TimeUnit.SECONDS), () -> "never ends\n" + read(output));

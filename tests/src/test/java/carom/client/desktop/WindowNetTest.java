@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.ClientConfig;
 import carom.client.bots.BotFarm;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
@@ -246,8 +247,7 @@ final class WindowNetTest {
     }
     args.addAll(List.of(more));
     ProcessBuilder builder = java(name, WindowPlayer.class, args);
-    builder.environment().put("DISPLAY", display.name());
-    builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+    display.show(builder);
     builder.directory(folder.resolve(name).toFile());
     Process process = builder.start();
     processes.add(process);
@@ -255,12 +255,7 @@ final class WindowNetTest {
   }
 
   private ProcessBuilder java(String name, Class<?> program, List<String> args) {
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.addAll(List.of("-Xmx512m", "-Dkryo.unsafe=false", "-XX:TieredStopAtLevel=1", "-cp"));
-    command.add(System.getProperty("java.class.path"));
-    command.add(program.getName());
-    command.addAll(args);
+    List<String> command = Jvm.command(List.of("-Xmx512m"), program, args.toArray(new String[0]));
     File log = folder.resolve(name + ".txt").toFile();
     return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log);
   }

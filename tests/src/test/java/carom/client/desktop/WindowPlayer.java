@@ -175,6 +175,7 @@ final class WindowPlayer {
       while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
         Thread.sleep(20);
       }
+      Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
       if (args[0].equals("play")) {
         player.playRooms(Double.parseDouble(args[1]));
       } else {

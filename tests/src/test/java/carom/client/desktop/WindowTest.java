@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.app.ClientMain;
 import carom.client.desktop.paint.ViewCamera;
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
@@ -19,7 +20,6 @@ import carom.sim.level.Level;
 import carom.suite.Needs;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -154,19 +154,13 @@ final class WindowTest {
             "6",
             "--screenshot",
             picture.toString());
-    builder.environment().put("DISPLAY", display.name());
-    builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+    display.show(builder);
     return builder.start();
   }
 
   private ProcessBuilder client(String... flags) {
-    List<String> command = new ArrayList<>();
-    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
-    command.add("-Dkryo.unsafe=false");
-    command.add("-cp");
-    command.add(System.getProperty("java.class.path"));
-    command.add(ClientMain.class.getName());
-    command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
+    String settings = folder.resolve("player.conf").toString();
+    List<String> command = Jvm.command(ClientMain.class, "--settings", settings);
     command.addAll(List.of(flags));
     return new ProcessBuilder(command)
         .redirectErrorStream(true)

@@ -8,6 +8,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.server.ServerMain;
@@ -59,11 +60,7 @@ final class AgonesProcessTest {
                   String.format(port, "tcp", tcp),
                   String.format(port, "udp", udp),
                   String.format(port, "fleet", fleetPort)));
-      List<String> command = new ArrayList<>();
-      command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-      command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
-      command.add(System.getProperty("java.class.path"));
-      command.add(ServerMain.class.getName());
+      List<String> command = Jvm.command(ServerMain.class);
       command.addAll(List.of("--fleet", "etcd:" + etcd.url()));
       command.addAll(List.of("--fleet-key", folder.resolve("fleet.key").toString()));
       command.addAll(List.of("--tcp-port", "0", "--udp-port", "0")); // those of the GameServer

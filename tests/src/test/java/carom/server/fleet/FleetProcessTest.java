@@ -9,6 +9,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import carom.server.CaromMain;
@@ -74,11 +75,7 @@ class FleetProcessTest {
   }
 
   private void start(String name) throws Exception {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
-    command.add(System.getProperty("java.class.path"));
-    command.add(ServerMain.class.getName());
+    List<String> command = Jvm.command(ServerMain.class);
     command.addAll(List.of("--fleet", fleet(), "--fleet-key", key().toString()));
     command.addAll(List.of("--advertise", "127.0.0.1", "--fleet-port", "0"));
     command.addAll(List.of("--tcp-port", "0", "--udp-port", "0", "--bind", "127.0.0.1"));

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
+import carom.fixtures.Jvm;
 import carom.net.transport.Impairment;
 import carom.replay.Block;
 import carom.replay.RecordingException;
@@ -229,18 +230,9 @@ final class RecordingFileTest {
   @Test
   void otherJvmsComputeTheSameGame() throws Exception {
     Path file = record(4);
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     for (String mode : new String[] {"-Xint", "-XX:TieredStopAtLevel=1"}) {
       Process process =
-          new ProcessBuilder(
-                  java,
-                  mode,
-                  "-XX:+UseSerialGC",
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  "carom.server.CaromMain",
-                  "replay",
-                  file.toString())
+          new ProcessBuilder(Jvm.command(List.of(mode), CaromMain.class, "replay", file.toString()))
               .redirectErrorStream(true)
               .start();
       String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
