@@ -139,7 +139,7 @@ class BenchCommandTest {
             "--json",
             "--quick",
             "--warm-up=0.1",
-            "--cap=4",
+            "--cap=2",
             "--scenes=bp_uniform_1k,rebuild_10k,hash_10k,pairs_1k");
     assertEquals(0, status, err.toString());
     List<String> rows = out.toString().lines().toList();
