@@ -2,6 +2,7 @@ package carom.server.agones;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import carom.server.http.HttpClients;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,11 +10,8 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
-import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
@@ -60,25 +58,7 @@ final class Sidecar {
   Sidecar(int port, int deadlineMs) {
     base = URI.create("http://localhost:" + port);
     this.deadlineMs = deadlineMs;
-    ThreadPoolExecutor threads =
-        new ThreadPoolExecutor(
-            0,
-            Integer.MAX_VALUE,
-            10,
-            TimeUnit.SECONDS,
-            new SynchronousQueue<>(),
-            task -> {
-              Thread thread = new Thread(task, "carom-agones-http");
-              thread.setDaemon(true);
-              return thread;
-            });
-    client =
-        HttpClient.newBuilder()
-            .version(HttpClient.Version.HTTP_1_1)
-            .proxy(HttpClient.Builder.NO_PROXY)
-            .connectTimeout(Duration.ofMillis(deadlineMs))
-            .executor(threads)
-            .build();
+    client = HttpClients.direct("carom-agones-http", deadlineMs).build();
   }
 
   private HttpRequest request(String method, String path, String body) {

@@ -10,7 +10,8 @@
  *     AgonesSubject   what the server says about itself
  * </pre>
  *
- * <p>Allowed imports: {@code carom.server.config}, Jackson's core, slf4j, the JDK. Read first:
- * {@link carom.server.agones.AgonesService}, {@link carom.server.agones.AgonesSubject}.
+ * <p>Allowed imports: {@code carom.server.config}, {@code carom.server.http}, Jackson's core,
+ * slf4j, the JDK. Read first: {@link carom.server.agones.AgonesService}, {@link
+ * carom.server.agones.AgonesSubject}.
  */
 package carom.server.agones;

@@ -2,6 +2,7 @@ package carom.server.directory;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import carom.server.http.HttpClients;
 import carom.text.Texts;
 import java.io.IOException;
 import java.net.ConnectException;
@@ -14,8 +15,6 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpTimeoutException;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.net.ssl.SSLContext;
@@ -70,25 +69,7 @@ final class EtcdGateway {
   EtcdGateway(List<URI> urls, SSLContext tls, int deadlineMs) {
     this.urls = List.copyOf(urls);
     this.deadlineMs = deadlineMs;
-    ThreadPoolExecutor threads =
-        new ThreadPoolExecutor(
-            0,
-            Integer.MAX_VALUE,
-            10,
-            TimeUnit.SECONDS,
-            new SynchronousQueue<>(),
-            task -> {
-              Thread thread = new Thread(task, "carom-directory-http");
-              thread.setDaemon(true);
-              return thread;
-            });
-    HttpClient.Builder builder =
-        HttpClient.newBuilder()
-            .version(HttpClient.Version.HTTP_1_1)
-            .proxy(HttpClient.Builder.NO_PROXY)
-            .connectTimeout(Duration.ofMillis(CONNECT_MS))
-            .followRedirects(HttpClient.Redirect.NEVER)
-            .executor(threads);
+    HttpClient.Builder builder = HttpClients.direct("carom-directory-http", CONNECT_MS);
     if (tls != null) {
       builder.sslContext(tls);
     }

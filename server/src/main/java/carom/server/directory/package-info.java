@@ -9,8 +9,8 @@
  *     MemoryDirectory     for tests and virtual time
  * </pre>
  *
- * <p>Allowed imports: {@code carom.server.http} for certificates, {@code carom.text}, Jackson's
- * streaming parser, PostgreSQL's JDBC driver, slf4j, the JDK.
+ * <p>Allowed imports: {@code carom.server.http}, {@code carom.text}, Jackson's streaming parser,
+ * PostgreSQL's JDBC driver, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.directory.Directory}, {@link
  * carom.server.directory.DirectoryEntry}, {@link carom.server.directory.MemoryDirectory}.

@@ -1,7 +1,7 @@
 /**
  * Opens ports for HTTP by Undertow. It has few places for connections, deadlines, budgets of bytes,
  * encryption, and rules about which requests are welcome. The operators' page and the play port use
- * it.
+ * it. Clients of other servers are built here, too.
  *
  * <p>Allowed imports: {@code carom.net.transport}, {@code carom.net.frame}, {@code
  * carom.server.access}, {@code carom.text}, Undertow with XNIO, slf4j, the JDK.
