@@ -41,6 +41,14 @@ public final class ClientConfig extends Settings<ClientConfig> {
           .text("game", "NAME", 0, ProtocolLimits.MAX_GAME_NAME_BYTES, "")
           .text("Without --room: prefer the rooms that play this game (any).");
 
+  public static final Setting<String> PARTY =
+      FLAGS
+          .text("party", "NAME", "")
+          .text(
+              "Without --room: play in the room of all who give the same name here, wherever the"
+                  + " first of them came (none).")
+          .checked(party -> party.isEmpty() ? null : told(RoomName.partyProblem(party)));
+
   public static final Setting<String> TOKEN =
       FLAGS
           .text("token", "TOKEN", 0, ProtocolLimits.MAX_TOKEN_BYTES, "")

@@ -158,6 +158,7 @@ public final class GameClient implements AutoCloseable {
             config.get(ClientConfig.NAME),
             config.get(ClientConfig.ROOM),
             config.get(ClientConfig.GAME),
+            config.get(ClientConfig.PARTY),
             config.get(ClientConfig.TOKEN),
             config.get(ClientConfig.KEY),
             config.get(ClientConfig.PASSWORD),

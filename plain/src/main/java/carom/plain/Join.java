@@ -14,6 +14,9 @@ public final class Join {
   /** Name of the game that the player wants if the room is any; empty for any. */
   public String game = "";
 
+  /** Name of the party whose members the player wants to be with, if the room is any. */
+  public String party = "";
+
   /** Join token of the game's operator; empty for none. It counts once. */
   public String token = "";
 

@@ -187,7 +187,7 @@ final class EndingWordsTest {
       await(() -> link.state() == Link.State.OPEN, "no link");
       link.send(
           new ClientMessage.Hello(
-              Protocol.VERSION - 1, Protocol.physicsDigest(), "old", 0, "", "", ""));
+              Protocol.VERSION - 1, Protocol.physicsDigest(), "old", 0, "", "", "", ""));
       await(
           () -> {
             link.poll(handler, 10);

@@ -126,7 +126,7 @@ class ProtocolDocTest {
     golden.put(
         "hello",
         ClientMessageCodec.encode(
-            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "", "")));
+            new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0, "cup", "", "trio", "")));
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(3, 4096)));
     golden.put(
         "ready", ClientMessageCodec.encode(new ClientMessage.Ready(3, 0x0102030405060708L, 9)));

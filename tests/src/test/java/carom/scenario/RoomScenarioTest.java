@@ -50,11 +50,17 @@ class RoomScenarioTest {
   }
 
   private static SimulatedClient add(Stepper stepper, String name, String room, String game) {
+    return add(stepper, name, room, game, "");
+  }
+
+  private static SimulatedClient add(
+      Stepper stepper, String name, String room, String game, String party) {
     return stepper.add(
         ClientConfig.of(name)
             .withServer("localhost", stepper.tcpPort(), stepper.udpPort())
             .with(ClientConfig.ROOM, room)
-            .with(ClientConfig.GAME, game),
+            .with(ClientConfig.GAME, game)
+            .with(ClientConfig.PARTY, party),
         BAD,
         Scripts.wander(name.hashCode()));
   }
@@ -68,6 +74,39 @@ class RoomScenarioTest {
   private static String refusal(Stepper stepper, SimulatedClient client) {
     stepper.runUntil("is refused", () -> client.view().phase() == ConnectionPhase.ENDED, 8);
     return client.view().message();
+  }
+
+  private static SimulatedClient friend(Stepper stepper, String name, String party) {
+    SimulatedClient client = add(stepper, name, "", "", party);
+    stepper.awaitPlaying(client);
+    return client;
+  }
+
+  @Test
+  void aPartyStaysTogetherAndNothingOfItIsLeftBehind() {
+    try (Stepper stepper = stepper(room("duel", 2, "arena"), room("cup", 5, "arena"))) {
+      join(stepper, "Xu", "duel", "");
+      SimulatedClient ann = friend(stepper, "Ann", "Trio");
+      assertEquals("cup", ann.view().room(), "the fuller room has no place for friends");
+      assertEquals("duel", join(stepper, "Yan", "", "").view().room(), "strangers fill it up");
+      List<SimulatedClient> trio =
+          List.of(ann, friend(stepper, "Ben", "trio"), friend(stepper, "Cai", "TRIO"));
+      for (SimulatedClient member : trio) {
+        assertEquals("cup", member.view().room());
+      }
+      join(stepper, "Dee", "cup", "");
+      join(stepper, "Eli", "cup", "");
+      String full = refusal(stepper, add(stepper, "Fay", "", "", "trio"));
+      assertTrue(full.contains("Your party is in room cup. All 5 places are taken."), full);
+      assertTrue(full.contains("duel 2/2"), full);
+
+      trio.forEach(SimulatedClient::leave);
+      stepper.run(1);
+      stepper.server().addRoom(room("third", 8, "arena"));
+      SimulatedClient gil = add(stepper, "Gil", "third", "", "trio");
+      stepper.awaitPlaying(gil);
+      assertEquals("third", friend(stepper, "Hal", "trio").view().room());
+    }
   }
 
   @Test

@@ -107,6 +107,7 @@ final class AccountRig implements AutoCloseable {
             secret,
             room,
             "",
+            "",
             token(account)));
     clients.add(client);
     return client;

@@ -377,6 +377,7 @@ final class AccountTest {
             0,
             "",
             "",
+            "",
             tokens.get(tokens.size() - 1)));
     tokens.clear();
     rig.clients.add(bot);

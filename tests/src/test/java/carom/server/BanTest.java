@@ -240,7 +240,7 @@ final class BanTest {
     String proof = key.proof(client.link.binding());
     client.link.send(
         new ClientMessage.Hello(
-            Protocol.VERSION, Protocol.physicsDigest(), name, 0, "", "", proof));
+            Protocol.VERSION, Protocol.physicsDigest(), name, 0, "", "", "", proof));
     await(client, () -> client.ready || client.refused != null);
     return client;
   }

@@ -111,7 +111,7 @@ class HangTest {
     await("the link is open", () -> client.link.state() == Link.State.OPEN);
     client.link.send(
         new ClientMessage.Hello(
-            Protocol.VERSION, Protocol.physicsDigest(), name, secret, room, "", ""));
+            Protocol.VERSION, Protocol.physicsDigest(), name, secret, room, "", "", ""));
     return client;
   }
 

@@ -78,7 +78,7 @@ final class JoinTokenTest {
     FakeClient client = rig.connect();
     client.link.send(
         new ClientMessage.Hello(
-            Protocol.VERSION, Protocol.physicsDigest(), name, secret, "", "", token));
+            Protocol.VERSION, Protocol.physicsDigest(), name, secret, "", "", "", token));
     for (int i = 0; i < 60 && client.refused == null && !client.ready; i++) {
       rig.step();
     }

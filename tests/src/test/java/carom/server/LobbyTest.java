@@ -102,6 +102,17 @@ class LobbyTest {
   }
 
   @Test
+  void aPartyWithAnUntidyNameIsRefused() {
+    FakeClient client = rig.connect();
+    client.link.send(
+        new ClientMessage.Hello(
+            Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", "no\nway", ""));
+    rig.steps(3);
+    assertEquals(RefusalReason.BAD_REQUEST, client.refused.reason());
+    assertTrue(client.refused.text().contains("party="), client.refused.text());
+  }
+
+  @Test
   void blankNameIsRefusedAndSurroundingSpaceIsCut() {
     FakeClient blank = rig.connect().hello("  ");
     FakeClient spaced = rig.connect().hello("  Ann ");
@@ -488,7 +499,7 @@ class LobbyTest {
     FakeClient client = rig.connect();
     client.link.send(
         new ClientMessage.Hello(
-            Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", "ticket.x"));
+            Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", "", "ticket.x"));
     rig.steps(2);
     assertNull(client.refused);
     assertNotNull(client.welcome, "it is a join token that nobody demands");

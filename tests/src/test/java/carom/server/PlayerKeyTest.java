@@ -27,7 +27,7 @@ final class PlayerKeyTest {
   private FakeClient join(FakeClient client, String token, long secret) {
     client.link.send(
         new ClientMessage.Hello(
-            Protocol.VERSION, Protocol.physicsDigest(), "Ann", secret, "", "", token));
+            Protocol.VERSION, Protocol.physicsDigest(), "Ann", secret, "", "", "", token));
     for (int i = 0; i < 60 && client.refused == null && !client.ready; i++) {
       rig.step();
     }

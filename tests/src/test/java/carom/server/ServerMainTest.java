@@ -305,7 +305,7 @@ class ServerMainTest {
       }
       client.link.send(
           new ClientMessage.Hello(
-              Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "300", "", ""));
+              Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "300", "", "", ""));
       for (int i = 0; i < 4_000 && (client.decoder == null || !client.decoder.hasAck()); i++) {
         client.step(0);
         Thread.sleep(5);

@@ -50,7 +50,7 @@ public final class NetworkOptions {
   public static final Rows ROWS = Rows.ofFlags();
 
   static {
-    ROWS.addAll(ClientConfig.SERVER, ClientConfig.ROOM, ClientConfig.GAME);
+    ROWS.addAll(ClientConfig.SERVER, ClientConfig.ROOM, ClientConfig.GAME, ClientConfig.PARTY);
   }
 
   private static final Setting<LogLevel> LOG_LEVEL =

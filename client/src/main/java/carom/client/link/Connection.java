@@ -49,6 +49,7 @@ public final class Connection implements LinkHandler {
   private ServerAddress address;
   private final String playerName;
   private final String game;
+  private final String party;
   private String token;
   private final PlayerKey key;
 
@@ -93,6 +94,7 @@ public final class Connection implements LinkHandler {
    * @param playerName the player's name
    * @param room name of the requested room, empty for any
    * @param game name of the requested game, empty for any
+   * @param party name of the player's party, empty for none
    * @param token join token, empty for none
    * @param key the player's own, which is shown without a token; null for none
    * @param password the server's, empty for none
@@ -103,6 +105,7 @@ public final class Connection implements LinkHandler {
       String playerName,
       String room,
       String game,
+      String party,
       String token,
       PlayerKey key,
       String password,
@@ -114,6 +117,7 @@ public final class Connection implements LinkHandler {
     this.playerName = playerName;
     this.room = room;
     this.game = game;
+    this.party = party;
     this.token = token;
     this.key = key;
     this.password = password;
@@ -190,6 +194,7 @@ public final class Connection implements LinkHandler {
                   secret,
                   room.isEmpty() && welcome != null && fleet.count() > 0 ? welcome.room() : room,
                   game,
+                  party,
                   ticket.isEmpty() ? tokenOrProof() : ticket));
           ticket = "";
         } else if (link.state() == Link.State.CLOSED) {

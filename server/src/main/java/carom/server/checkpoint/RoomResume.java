@@ -262,6 +262,7 @@ final class RoomResume {
                 saved.switches());
     if (seat != null) {
       seat.mute(saved.muted());
+      seat.party(saved.party());
       seat.stay(saved.stay() == null ? null : saved.stay().resumed());
     }
     return seat;

@@ -12,6 +12,7 @@ import carom.server.session.Seats;
  * @param wantedName the name that the player asked for
  * @param name the name that it plays under
  * @param account the player's account by its join token, or empty
+ * @param party the name of the player's party, or empty
  * @param secret proves the player's identity; never 0
  * @param muted whether its chat is dropped
  * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
@@ -29,6 +30,7 @@ record SavedSeat(
     String wantedName,
     String name,
     String account,
+    String party,
     long secret,
     boolean muted,
     int graceMs,
@@ -42,7 +44,7 @@ record SavedSeat(
   public static final int PLAYED = -1;
 
   private static final int MAX_GRACE_MS = 600_000;
-  private static final int BYTES = 44;
+  private static final int BYTES = 48;
 
   /** Returns whether it is the seat with this id of the player with this secret. */
   boolean is(Seats.Seat seat) {
@@ -62,6 +64,8 @@ record SavedSeat(
     String name = a.text("name", reads ? "" : s.name, ProtocolLimits.MAX_NAME_BYTES);
     String account =
         a.text("account", reads ? "" : s.account, ProtocolLimits.MAX_ACCOUNT_CHARACTERS);
+    String party =
+        a.text("party", reads ? "" : s.party, ProtocolLimits.MAX_PARTY_NAME_BYTES);
     long secret = a.bits("secret", reads ? 0 : s.secret);
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
@@ -75,7 +79,7 @@ record SavedSeat(
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
         ? new SavedSeat(
-            id, wanted, name, account, secret, muted, grace, course, switches, reserved, since,
+            id, wanted, name, account, party, secret, muted, grace, course, switches, reserved, since,
             stay, events)
         : s;
   }

@@ -88,6 +88,7 @@ final class SlotSeats {
         seat.wantedName(),
         seat.name(),
         seat.account(),
+        seat.party(),
         seat.secret(),
         seat.isMuted(),
         graceMs,

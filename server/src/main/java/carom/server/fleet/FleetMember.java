@@ -9,6 +9,7 @@ import carom.server.directory.DirectoryException;
 import carom.server.metrics.Counter;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
+import carom.server.room.RoomWish;
 import carom.server.session.Ownership;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -63,6 +64,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Claims claims;
   private final FleetView view;
   private final Tickets tickets;
+  private final Parties parties;
   private final Following following;
 
   /** Rooms with which this server is about to go on. */
@@ -123,6 +125,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     claims = new Claims(this.directory, lease, news);
     view = new FleetView(directory, clock, changed, news);
     tickets = new Tickets(this.directory);
+    parties = new Parties(this.directory);
     following = new Following(settings.followed());
     figures =
         new FleetFigures(
@@ -475,6 +478,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
               room.isFollowed()
                   ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
                   : 0,
+              room.seats().parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
               room.settings(),
               room.entry());
       String value = record.toJson();
@@ -636,7 +640,11 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
 
   private Place place(RoomRecord record) {
     return new Place(
-        record.server(), record.settings().name(), record.entry().game(), taken(record));
+        record.server(),
+        record.settings().name(),
+        record.entry().game(),
+        taken(record),
+        record.entry().places());
   }
 
   /** Returns the seats that are taken, with those that were promised since the owner told. */
@@ -647,26 +655,42 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public Place fullest(String game) {
+  public Place best(RoomWish wish) {
     Place best = null;
+    int most = -1;
     for (FleetView.OwnedRoom owned : view.rooms().values()) {
       RoomRecord record = owned.record();
       ServerRecord server = view.servers().get(record.server());
       if (record.server() == lease.number()
           || server == null
           || server.draining()
-          || record.entry().places() <= taken(record)
           || (settings.maxLoadPercent() > 0 && record.load() > settings.maxLoadPercent())) {
         continue;
       }
       Place place = place(record);
-      boolean fits = place.game().equals(game);
-      boolean bestFits = best != null && best.game().equals(game);
-      if (best == null || (fits == bestFits ? place.taken() > best.taken() : fits)) {
+      int fit = wish.fit(place.game(), place.taken(), place.places());
+      if (fit > most) {
+        most = fit;
         best = place;
       }
     }
     return best;
+  }
+
+  @Override
+  public String roomOfParty(String party) {
+    for (FleetView.OwnedRoom owned : view.rooms().values()) {
+      RoomRecord record = owned.record();
+      if (record.server() != lease.number() && record.parties().contains(party)) {
+        return record.settings().name();
+      }
+    }
+    return null;
+  }
+
+  @Override
+  public Future<String> settle(String party, String room) {
+    return ask(() -> parties.settle(party, room));
   }
 
   @Override

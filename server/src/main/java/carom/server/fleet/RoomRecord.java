@@ -3,6 +3,7 @@ package carom.server.fleet;
 import carom.net.protocol.ServerMessage;
 import carom.server.config.RoomConfig;
 import carom.text.Json;
+import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -19,6 +20,7 @@ import java.util.Map;
  * @param load the part of their time that its ticks take, percent
  * @param lag how many ticks its follower may lack, in steps of {@value #LAG_STEP}, so that the
  *     record rests while the follower keeps up
+ * @param parties those that have a member there, at most {@value #MAX_PARTIES}
  * @param settings the room's settings, with which another server can go on with it
  * @param entry what lists of rooms show
  */
@@ -28,6 +30,7 @@ record RoomRecord(
     boolean leaving,
     int load,
     int lag,
+    List<String> parties,
     RoomConfig settings,
     ServerMessage.RoomEntry entry) {
   /** Begins the keys of rooms in the directory. */
@@ -36,13 +39,16 @@ record RoomRecord(
   /** Steps in which the lag is told, ticks. */
   static final int LAG_STEP = 30;
 
+  /** Most parties of which a record tells, so that it stays small. */
+  static final int MAX_PARTIES = 128;
+
   static String key(String room) {
     return PREFIX + room;
   }
 
   /** Returns this record as that of a room that its owner gives up for a follower. */
   RoomRecord leaving(long forServer) {
-    return new RoomRecord(server, forServer, true, load, lag, settings, entry);
+    return new RoomRecord(server, forServer, true, load, lag, parties, settings, entry);
   }
 
   /** Returns the record of a room that is claimed and not built yet. */
@@ -53,6 +59,7 @@ record RoomRecord(
         false,
         0,
         0,
+        List.of(),
         settings,
         new ServerMessage.RoomEntry(
             settings.name(), settings.game(), "", "", 0, 0, 0, settings.metadata()));
@@ -73,11 +80,10 @@ record RoomRecord(
           json.writeNumberField("lag", lag);
           json.writeStringField("room", settings.name());
           json.writeStringField("game", settings.game());
-          json.writeArrayFieldStart("levels");
-          for (String level : settings.levels()) {
-            json.writeString(level);
+          writeList(json, "levels", settings.levels());
+          if (!parties.isEmpty()) {
+            writeList(json, "parties", parties);
           }
-          json.writeEndArray();
           json.writeNumberField("places", settings.places());
           json.writeStringField("seed", String.valueOf(settings.seed()));
           json.writeObjectFieldStart("info");
@@ -94,6 +100,23 @@ record RoomRecord(
         });
   }
 
+  private static void writeList(JsonGenerator json, String name, List<String> texts)
+      throws IOException {
+    json.writeArrayFieldStart(name);
+    for (String text : texts) {
+      json.writeString(text);
+    }
+    json.writeEndArray();
+  }
+
+  private static List<String> list(Json json, String name) {
+    List<String> texts = new ArrayList<>();
+    for (Json text : json.fields.containsKey(name) ? json.fields.get(name).items : List.<Json>of()) {
+      texts.add(text.text);
+    }
+    return texts;
+  }
+
   /**
    * Reads a record.
    *
@@ -101,11 +124,6 @@ record RoomRecord(
    */
   static RoomRecord parse(String value) throws IOException {
     Json json = FleetJson.read(value);
-    List<String> levels = new ArrayList<>();
-    for (Json level :
-        json.fields.containsKey("levels") ? json.fields.get("levels").items : List.<Json>of()) {
-      levels.add(level.text);
-    }
     Map<String, String> info = new LinkedHashMap<>();
     Json infos = json.fields.get("info");
     if (infos != null) {
@@ -117,7 +135,7 @@ record RoomRecord(
           new RoomConfig(
               FleetJson.text(json, "room"),
               FleetJson.text(json, "game"),
-              levels,
+              list(json, "levels"),
               FleetJson.whole(json, "places"),
               Long.parseLong(FleetJson.text(json, "seed")),
               info);
@@ -131,6 +149,7 @@ record RoomRecord(
         FleetJson.flag(json, "leaving"),
         FleetJson.whole(json, "load"),
         FleetJson.whole(json, "lag"),
+        list(json, "parties"),
         settings,
         new ServerMessage.RoomEntry(
             settings.name(),

@@ -48,6 +48,7 @@ final class Tickets {
               json.writeStringField("account", guest.account());
               json.writeStringField("room", guest.room());
               json.writeStringField("game", guest.game());
+              json.writeStringField("party", guest.party());
               json.writeBooleanField("anywhere", guest.anywhere());
             });
     if (directory.create(HashedKey.of(PREFIX, ticket), value, directory.lease(TTL_MS)) == 0) {
@@ -75,6 +76,7 @@ final class Tickets {
               FleetJson.text(json, "account"),
               FleetJson.text(json, "room"),
               FleetJson.text(json, "game"),
+              FleetJson.text(json, "party"),
               FleetJson.flag(json, "anywhere"));
       boolean isHere = FleetJson.number(json, "server") == server;
       return isHere && directory.delete(entry.key(), entry.number()) ? guest : null;

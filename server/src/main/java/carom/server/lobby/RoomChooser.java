@@ -64,34 +64,6 @@ final class RoomChooser {
   }
 
   /**
-   * Returns the fullest room that still has a seat and plays a game, the first among equals; or of
-   * all games, if none of that game has a seat; or null.
-   *
-   * @param game name of the game; empty for any
-   */
-  Room fullestWithSeat(String game) {
-    Room fullest = null;
-    Room fullestOfGame = null;
-    int most = -1;
-    int mostOfGame = -1;
-    for (Room room : rooms) {
-      int taken = room.seats().takenCount();
-      if (taken >= room.seats().count() || room.hasFailed() || isOverloaded(room)) {
-        continue;
-      }
-      if (taken > most) {
-        most = taken;
-        fullest = room;
-      }
-      if (taken > mostOfGame && room.match().game().equals(game)) {
-        mostOfGame = taken;
-        fullestOfGame = room;
-      }
-    }
-    return fullestOfGame == null ? fullest : fullestOfGame;
-  }
-
-  /**
    * Returns why a newcomer can't come in because of the load, or null.
    *
    * @param requested the one room that matters, or null for all open rooms
@@ -111,7 +83,8 @@ final class RoomChooser {
         maxLoadPercent.getAsInt());
   }
 
-  private boolean isOverloaded(Room room) {
+  /** Returns whether a room's load keeps newcomers out. */
+  boolean isOverloaded(Room room) {
     int most = maxLoadPercent.getAsInt();
     return most > 0
         && room.counters().get(Counter.TICKS) >= ticksUntilLoadIsKnown

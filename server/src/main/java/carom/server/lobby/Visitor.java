@@ -8,6 +8,7 @@ import carom.net.protocol.PlayerName;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RefusalReason;
+import carom.net.protocol.RoomName;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.LevelOutcome;
 import carom.net.protocol.SessionState;
@@ -26,6 +27,7 @@ import carom.server.match.MatchInfo;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.room.RoomWish;
 import carom.server.session.Admission;
 import carom.server.session.LevelUpload;
 import carom.server.session.PacedMessages;
@@ -83,11 +85,26 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** The request of a player to join, and its account by a join token. */
   private record JoinRequest(
-      String name, String account, String room, String game, long resumeSecret, boolean anywhere) {
+      String name,
+      String account,
+      String room,
+      String game,
+      String party,
+      long resumeSecret,
+      boolean anywhere) {
 
     /** Returns the same request for any room. */
     JoinRequest forAnyRoom() {
-      return new JoinRequest(name, account, "", game, resumeSecret, true);
+      return new JoinRequest(name, account, "", game, party, resumeSecret, true);
+    }
+
+    /** Returns the same request for the room of the party. */
+    JoinRequest forRoomOfParty(String room) {
+      return new JoinRequest(name, account, room, game, party, resumeSecret, false);
+    }
+
+    RoomWish wish() {
+      return new RoomWish(game, !party.isEmpty());
     }
   }
 
@@ -133,6 +150,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** The way to another server of the fleet, as soon as there is a ticket; or null. */
   private Future<ServerMessage.Move> moving;
+
+  /** The room of the visitor's party, as soon as the fleet's directory has answered; or null. */
+  private Future<String> settling;
 
   /** The level that the client sends instead of joining, or null. */
   private LevelIntake intake;
@@ -424,7 +444,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     JoinRequest by =
         requestOf(
             new ClientMessage.Hello(
-                offer.protocolVersion(), 0, offer.name(), 0, "", "", offer.token()));
+                offer.protocolVersion(), 0, offer.name(), 0, "", "", "", offer.token()));
     if (by == null) {
       return;
     }
@@ -492,6 +512,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             guest.account(),
             guest.room(),
             guest.game(),
+            guest.party(),
             hello.resumeSecret(),
             guest.anywhere()));
   }
@@ -499,7 +520,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Welcomes a visitor whose room this server owns by now. */
   private void lookForRoom() {
     if (chooser.expecting(standby.secret()) != null) {
-      waiting = new JoinRequest("", "", standby.room(), "", standby.secret(), false);
+      waiting = new JoinRequest("", "", standby.room(), "", "", standby.secret(), false);
       waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
       standby = null;
     } else if (!directory.fleet().follows(standby.room(), standby.secret())
@@ -517,6 +538,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    */
   private JoinRequest requestOf(ClientMessage.Hello hello) {
     String name = hello.name().strip();
+    String party = hello.party().toLowerCase(Locale.ROOT);
+    String problem = party.isEmpty() ? null : RoomName.partyProblem(party);
+    if (problem != null) {
+      refuse(RefusalReason.BAD_REQUEST, "Sorry, " + problem + ".");
+      return null;
+    }
     JoinTokens joinTokens = context.entryRule().tokens();
     Room expecting = chooser.expecting(hello.resumeSecret());
     if (joinTokens == null || expecting != null) {
@@ -533,6 +560,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           account,
           hello.room(),
           hello.game(),
+          party,
           hello.resumeSecret(),
           hello.room().isEmpty() || hello.resumeSecret() != 0);
     }
@@ -544,6 +572,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           token.account(),
           token.room().isEmpty() ? hello.room() : token.room(),
           hello.game(),
+          party,
           0,
           token.room().isEmpty() && hello.room().isEmpty());
     } catch (JoinTokens.BadTokenException e) {
@@ -600,6 +629,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return;
     }
     Room expecting = chooser.expecting(waiting.resumeSecret());
+    if (expecting == null && isPartyAskedFor()) {
+      return;
+    }
     Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
     boolean late = context.nowNs() - waitsUntilNs >= 0;
     if (expecting == null && isOwnedElsewhere(requested)) {
@@ -656,7 +688,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
         waiting.room().isEmpty()
-            ? better(fleet.fullest(waiting.game()))
+            ? better(fleet.best(waiting.wish()))
             : fleet.find(waiting.room());
     if (there == null) {
       return false;
@@ -669,20 +701,73 @@ final class Visitor implements LinkHandler, Entrance.Guest {
                 waiting.account(),
                 there.room(),
                 waiting.game(),
+                waiting.party(),
                 waiting.anywhere()));
     return true;
   }
 
   /** Returns a place elsewhere if it is better than each one here, by the rules for rooms here. */
   private FleetDoor.Place better(FleetDoor.Place there) {
-    Room here = chooser.fullestWithSeat(waiting.game());
-    if (there == null || here == null) {
-      return there;
+    Room here = bestHere();
+    RoomWish wish = waiting.wish();
+    return there == null
+            || here == null
+            || wish.fit(there.game(), there.taken(), there.places()) > wish.fit(here)
+        ? there
+        : null;
+  }
+
+  private Room bestHere() {
+    return directory.best(waiting.wish(), room -> !chooser.isOverloaded(room));
+  }
+
+  /**
+   * Makes the request one for the room of the visitor's party, if it names no other. The first
+   * member's room is the one that any player would get, unless another server of the fleet settles
+   * it at the same moment.
+   *
+   * @return whether the fleet's directory is still asked
+   */
+  private boolean isPartyAskedFor() {
+    if (waiting.party().isEmpty() || !waiting.room().isEmpty()) {
+      return false;
     }
-    boolean fits = there.game().equals(waiting.game());
-    boolean fitsHere = here.match().game().equals(waiting.game());
-    boolean fuller = there.taken() > here.seats().takenCount();
-    return (fits == fitsHere ? fuller : fits) ? there : null;
+    FleetDoor fleet = directory.fleet();
+    boolean movable = link.isMovable() && !isAlone();
+    Room here = directory.ofParty(waiting.party());
+    String room =
+        here != null ? here.name() : movable ? fleet.roomOfParty(waiting.party()) : null;
+    if (room == null && movable) {
+      boolean late = context.nowNs() - waitsUntilNs >= 0;
+      if (settling == null && !context.rate().allows(origin.host(), context.nowNs())) {
+        if (late) {
+          refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
+        }
+        return true;
+      }
+      if (settling == null) {
+        FleetDoor.Place there = better(fleet.best(waiting.wish()));
+        Room best = bestHere();
+        if (there == null && best == null) {
+          return false; // all are full
+        }
+        context.rate().count(origin.host(), context.nowNs());
+        settling = fleet.settle(waiting.party(), there == null ? best.name() : there.room());
+      }
+      if (!settling.isDone() && !late) {
+        return true;
+      }
+      room = settling.isDone() ? FleetDoor.outcome(settling) : null;
+      settling = null;
+      if (room == null) {
+        refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
+        return true;
+      }
+    }
+    if (room != null) {
+      waiting = waiting.forRoomOfParty(room);
+    }
+    return false;
   }
 
   /** Sends the client to the server for which it has a ticket by now. */
@@ -717,6 +802,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     int count = requested == null ? context.places() : requested.seats().count();
     String text =
         (count == 1 ? "The only place is taken." : "All %d places are taken.").formatted(count);
+    if (requested != null && requested == directory.ofParty(waiting.party())) {
+      text = "Your party is in room " + requested.name() + ". " + text;
+    }
     refuse(
         requested == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
         requested == null ? text : text + " " + directory.describe(link.isMovable()));
@@ -726,13 +814,14 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * Takes a seat in the requested room, or the fullest that has one; returns whether it got one.
    */
   private boolean takeSeat(Room requested) {
-    Room chosen = requested == null ? chooser.fullestWithSeat(waiting.game()) : requested;
+    Room chosen = requested == null ? bestHere() : requested;
     if (chosen != null
         && chooser.seatsLeft(chosen) > context.countPromised(chosen, this)
         && context.countLoading(origin.host())
             < Math.max(MIN_LOADING, chooser.seatsLeft(null) / 2)) {
       room = chosen;
       seat = room.seats().take(waiting.name(), waiting.account(), origin);
+      seat.party(waiting.party());
       isNewcomer = true;
     }
     return seat != null;

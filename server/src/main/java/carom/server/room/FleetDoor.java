@@ -20,8 +20,18 @@ public interface FleetDoor {
         }
 
         @Override
-        public Place fullest(String game) {
+        public Place best(RoomWish wish) {
           return null;
+        }
+
+        @Override
+        public String roomOfParty(String party) {
+          return null;
+        }
+
+        @Override
+        public Future<String> settle(String party, String room) {
+          throw new IllegalStateException("there is no fleet");
         }
 
         @Override
@@ -57,8 +67,9 @@ public interface FleetDoor {
    * @param room name of the room
    * @param game name of the game that it plays
    * @param taken seats that are taken, as its server told last
+   * @param places number of seats
    */
-  record Place(long server, String room, String game, int taken) {}
+  record Place(long server, String room, String game, int taken, int places) {}
 
   /**
    * A player on the way from one server to another.
@@ -67,9 +78,11 @@ public interface FleetDoor {
    * @param account the player's account by a join token, or empty
    * @param room name of the room
    * @param game name of the game that the player asked for, or empty
+   * @param party name of the player's party, or empty
    * @param anywhere whether the player didn't ask for this room, so that another one will do
    */
-  record Guest(String name, String account, String room, String game, boolean anywhere) {}
+  record Guest(
+      String name, String account, String room, String game, String party, boolean anywhere) {}
 
   /** Begins every ticket, so that it can't be taken for a join token. */
   String TICKET = "ticket.";
@@ -86,13 +99,20 @@ public interface FleetDoor {
   /** Returns where a room is that another server owns, or null. */
   Place find(String room);
 
+  /** Returns the room elsewhere that suits best and isn't too busy; null if none has a place. */
+  Place best(RoomWish wish);
+
+  /** Returns the name of a room elsewhere in which a party has members, or null. */
+  String roomOfParty(String party);
+
   /**
-   * Returns the fullest room elsewhere that has a free seat, of a game if there is one, and that
-   * isn't too busy; or null.
+   * Settles where the first member of a party goes, so that those who come at the same moment go
+   * there, too; for some seconds, until its room has told of the party.
    *
-   * @param game name of the game; empty for any
+   * @param room where to go unless another member's server has settled it
+   * @return the room to which all go; null if the directory doesn't answer
    */
-  Place fullest(String game);
+  Future<String> settle(String party, String room);
 
   /**
    * Returns whether a room that nobody owns now has had an owner a moment ago, so that another

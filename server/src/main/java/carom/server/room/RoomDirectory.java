@@ -8,6 +8,7 @@ import carom.server.session.ChatCommands;
 import carom.server.upload.Uploads;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * The rooms of a server, by name, and the list that clients are sent. Any thread. A list is built
@@ -101,18 +102,33 @@ public final class RoomDirectory {
   }
 
   /**
-   * Returns the room to which a player goes whose room closes: the fullest one with a free seat.
-   * Rooms of the same game come before others. Returns null if no room has a seat.
+   * Returns the open room that suits a newcomer best, the first among equals; null if no room has a
+   * place.
+   *
+   * @param takes whether a room takes newcomers; only open rooms are asked about
    */
-  Room refuge(String game, Room closing) {
+  public Room best(RoomWish wish, Predicate<Room> takes) {
     Room best = null;
+    int most = -1;
     for (Room room : rooms) {
-      boolean open = room != closing && !room.hasFailed();
-      if (open && room.seats().takenCount() < room.seats().count()) {
-        boolean same = room.match().game().equals(game);
-        boolean bestIsSame = best != null && best.match().game().equals(game);
-        boolean fuller = best == null || room.seats().takenCount() > best.seats().takenCount();
-        best = same == bestIsSame ? (fuller ? room : best) : same ? room : best;
+      int fit = room.hasFailed() ? -1 : wish.fit(room);
+      if (fit > most && takes.test(room)) {
+        most = fit;
+        best = room;
+      }
+    }
+    return best;
+  }
+
+  /** Returns the open room in which a party has the most members; null if it has none. */
+  public Room ofParty(String party) {
+    Room best = null;
+    int most = 0;
+    for (Room room : rooms) {
+      int members = party.isEmpty() || room.hasFailed() ? 0 : room.seats().membersOf(party);
+      if (members > most) {
+        most = members;
+        best = room;
       }
     }
     return best;

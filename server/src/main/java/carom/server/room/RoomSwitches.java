@@ -105,13 +105,23 @@ final class RoomSwitches {
     int moved = 0;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
-      Room to = directory.refuge(room.match().info().game(), self);
+      Room to = refuge(session);
       if (to != null && session.state() != SessionState.GRACE && !session.isBot()) {
         move(session, to.name(), nowNs);
         moved += sessions.onSeat(session.seat().id()) == session ? 0 : 1;
       }
     }
     return moved;
+  }
+
+  /** Returns where a player goes whose room closes: to its party, or to much company. */
+  private Room refuge(Session session) {
+    String party = session.seat().party();
+    Room friends = directory.ofParty(party);
+    return friends != null && friends.seats().takenCount() < friends.seats().count()
+        ? friends
+        : directory.best(
+            new RoomWish(room.match().info().game(), !party.isEmpty()), other -> other != self);
   }
 
   private void move(Session session, String name, long nowNs) {
@@ -165,7 +175,12 @@ final class RoomSwitches {
       }
       FleetDoor.Guest guest =
           new FleetDoor.Guest(
-              session.seat().wantedName(), session.seat().account(), name, "", false);
+              session.seat().wantedName(),
+              session.seat().account(),
+              name,
+              "",
+              session.seat().party(),
+              false);
       tickets.put(session, directory.fleet().move(there, guest));
       return true;
     }

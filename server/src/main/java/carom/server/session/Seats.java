@@ -7,6 +7,7 @@ import carom.server.account.Stay;
 import carom.text.Texts;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.LongSupplier;
@@ -131,6 +132,7 @@ public final class Seats {
   public synchronized void forsake(Seat seat) {
     seat.bots = true;
     seat.account = "";
+    seat.party = "";
     seat.stay = null;
     seat.group = BOTS;
     version++;
@@ -203,6 +205,7 @@ public final class Seats {
       Seat seat = take(from.wantedName, from.account, from.group, from.secret, from.switches + 1);
       if (seat != null) {
         seat.muted = from.muted;
+        seat.party = from.party;
         seat.behind = () -> room.free(from);
       }
       return seat;
@@ -248,6 +251,26 @@ public final class Seats {
       count += seat != null && seat.account.equals(account) ? 1 : 0;
     }
     return count;
+  }
+
+  /** Returns how many members of a party have a seat. */
+  public synchronized int membersOf(String party) {
+    int count = 0;
+    for (Seat seat : taken) {
+      count += seat != null && seat.party.equals(party) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** Returns the parties of which a member has a seat, those with the lowest ids first. */
+  public synchronized Set<String> parties() {
+    Set<String> parties = new LinkedHashSet<>();
+    for (Seat seat : taken) {
+      if (seat != null && !seat.party.isEmpty()) {
+        parties.add(seat.party);
+      }
+    }
+    return parties;
   }
 
   private synchronized Seat find(long secret) {
@@ -463,6 +486,7 @@ public final class Seats {
     private final String wantedName;
     private final String name;
     private volatile String account;
+    private volatile String party = "";
     private final long secret;
     private final int switches;
     private int claims; // guarded by the seats' lock, as the next three
@@ -505,6 +529,16 @@ public final class Seats {
     /** Returns the group that the player counts for; under the seats' lock. */
     AddressGroup group() {
       return group;
+    }
+
+    /** Returns the name of the player's party, or an empty text. */
+    public String party() {
+      return party;
+    }
+
+    /** Sets the player's party; empty for none. */
+    public void party(String newParty) {
+      party = newParty;
     }
 
     /** Returns how often the player has gone to another room. */

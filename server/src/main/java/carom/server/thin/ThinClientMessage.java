@@ -18,6 +18,8 @@ public sealed interface ThinClientMessage {
    * @param name the player's name
    * @param room name of the room; empty for any
    * @param game name of the game that the player wants if the room is any; empty for any
+   * @param party name of the party whose members the player wants to be with if the room is any;
+   *     empty for none
    * @param token join token of the operator's own backend; empty for none
    * @param password the server's password; empty for none
    * @param secret that of an earlier {@link ThinServerMessage.Welcome}, to take the seat again; 0
@@ -29,6 +31,7 @@ public sealed interface ThinClientMessage {
       String name,
       String room,
       String game,
+      String party,
       String token,
       String password,
       long secret,

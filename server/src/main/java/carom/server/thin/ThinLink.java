@@ -591,6 +591,7 @@ public abstract class ThinLink implements Link {
             join.secret(),
             join.room(),
             join.game(),
+            join.party(),
             join.token()));
   }
 

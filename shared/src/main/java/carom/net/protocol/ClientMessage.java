@@ -20,6 +20,8 @@ public sealed interface ClientMessage {
    * @param room name of the room in which the player wants to play; empty for any
    * @param game name of the game that the player wants to play if the room is any; empty for any.
    *     It is a request: if no room that plays it has a place, the server chooses another
+   * @param party name of the party whose members the player wants to be with if the room is any,
+   *     see {@link RoomName#partyProblem}; empty for none
    * @param token join token of the operator's own backend, or what proves a key of the player's own
    *     (carom.net.seal.PlayerKey), at most {@link ProtocolLimits#MAX_TOKEN_BYTES} characters of
    *     ASCII; empty for none
@@ -31,6 +33,7 @@ public sealed interface ClientMessage {
       long resumeSecret,
       String room,
       String game,
+      String party,
       String token)
       implements ClientMessage {
     /** Leaves the token out, which lets its bearer in. */
@@ -41,7 +44,7 @@ public sealed interface ClientMessage {
 
     /** Creates a message of a player who plays in any room. */
     public Hello(int protocolVersion, long physicsDigest, String name, long resumeSecret) {
-      this(protocolVersion, physicsDigest, name, resumeSecret, "", "", "");
+      this(protocolVersion, physicsDigest, name, resumeSecret, "", "", "", "");
     }
   }
 

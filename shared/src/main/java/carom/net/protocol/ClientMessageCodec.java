@@ -63,6 +63,7 @@ public final class ClientMessageCodec {
       putText("Hello.name", hello.name(), ProtocolLimits.MAX_NAME_BYTES, buffer);
       putText("Hello.room", hello.room(), ProtocolLimits.MAX_ROOM_NAME_BYTES, buffer);
       putText("Hello.game", hello.game(), ProtocolLimits.MAX_GAME_NAME_BYTES, buffer);
+      putText("Hello.party", hello.party(), ProtocolLimits.MAX_PARTY_NAME_BYTES, buffer);
       putToken(hello.token(), buffer);
     } else if (message instanceof ClientMessage.LevelRequest request) {
       buffer.put(LEVEL_REQUEST);
@@ -520,10 +521,11 @@ public final class ClientMessageCodec {
     String room = text(buffer, ProtocolLimits.MAX_ROOM_NAME_BYTES);
     String game =
         name == null || room == null ? null : text(buffer, ProtocolLimits.MAX_GAME_NAME_BYTES);
-    String token = game == null ? null : token(buffer);
+    String party = game == null ? null : text(buffer, ProtocolLimits.MAX_PARTY_NAME_BYTES);
+    String token = party == null ? null : token(buffer);
     return token == null || buffer.hasRemaining()
         ? null
-        : new ClientMessage.Hello(version, digest, name, secret, room, game, token);
+        : new ClientMessage.Hello(version, digest, name, secret, room, game, party, token);
   }
 
   private static boolean validOffset(int offset) {

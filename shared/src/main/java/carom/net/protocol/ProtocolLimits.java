@@ -107,6 +107,9 @@ public final class ProtocolLimits {
   /** Longest name of a room. */
   public static final int MAX_ROOM_NAME_BYTES = 32;
 
+  /** Longest name of a party. */
+  public static final int MAX_PARTY_NAME_BYTES = 32;
+
   /** Largest number of rooms in one {@link ServerMessage.RoomList}. */
   public static final int MAX_LISTED_ROOMS = 16;
 

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Rules for names and metadata of rooms. Names go into logs, commands and file names, so they are
- * plain; values of metadata are for people, too.
+ * Rules for names and metadata of rooms, and for names of parties. Names go into logs, commands and
+ * file names, so they are plain; values of metadata are for people, too.
  */
 public final class RoomName {
   private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]*");
@@ -17,6 +17,11 @@ public final class RoomName {
   /** Returns what is wrong with the name of a room, as {@code name=value} and the rule, or null. */
   public static String problem(String name) {
     return plainProblem("name", name, ProtocolLimits.MAX_ROOM_NAME_BYTES);
+  }
+
+  /** Returns what is wrong with the name of a party, as {@link #problem}, or null. */
+  public static String partyProblem(String name) {
+    return plainProblem("party", name, ProtocolLimits.MAX_PARTY_NAME_BYTES);
   }
 
   /**

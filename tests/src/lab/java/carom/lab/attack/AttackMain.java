@@ -189,7 +189,7 @@ public final class AttackMain implements Callable<Integer> {
             greeted = true;
             link.send(
                 new ClientMessage.Hello(
-                    Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", ""));
+                    Protocol.VERSION, Protocol.physicsDigest(), "Ann", 0, "", "", "", ""));
           }
           link.poll(outcome, 100);
           if (outcome.welcomed) {

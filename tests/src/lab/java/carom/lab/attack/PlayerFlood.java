@@ -104,7 +104,7 @@ final class PlayerFlood implements Flood {
             greeted = true;
             link.send(
                 new ClientMessage.Hello(
-                    Protocol.VERSION, Protocol.physicsDigest(), "Fay" + number, 0, "", "", ""));
+                    Protocol.VERSION, Protocol.physicsDigest(), "Fay" + number, 0, "", "", "", ""));
           }
           link.poll(welcomes, 100);
           LockSupport.parkNanos(MS);

@@ -17,7 +17,7 @@ class ClientMessageCodecTest {
       List.of(
           new ClientMessage.Hello(1, 0x0123456789abcdefL, "Zoë", -1),
           new ClientMessage.Hello(Integer.MIN_VALUE, 0, "", 0),
-          new ClientMessage.Hello(1, 2, "x", 3, "cup", "arena", "ab.c_d.e-f"),
+          new ClientMessage.Hello(1, 2, "x", 3, "cup", "arena", "trio", "ab.c_d.e-f"),
           new ClientMessage.Password("pässwörd of twelve"),
           new ClientMessage.ListRooms(-9),
           new ClientMessage.ChangeRoom("a-room.with_32_bytes.............".substring(0, 32)),

@@ -40,6 +40,7 @@ class SavedRoomTest {
             "Ann",
             "Ann (2)",
             "4711",
+            "trio",
             -77,
             true,
             1_234,
@@ -51,7 +52,7 @@ class SavedRoomTest {
             new int[0]);
     SavedSeat bob =
         new SavedSeat(
-            1_023, "Zoë", "Zoë", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, null, new int[0]);
+            1_023, "Zoë", "Zoë", "", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, null, new int[0]);
     return new SavedRoom(
         physics,
         layout,

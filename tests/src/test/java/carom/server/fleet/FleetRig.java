@@ -350,8 +350,13 @@ public final class FleetRig implements AutoCloseable {
 
   /** Adds a client that joins at a server. */
   public GameClient client(String name, String server) {
+    return client(name, server, "");
+  }
+
+  /** Adds a client of a party that joins at a server. */
+  GameClient client(String name, String server, String party) {
     ClientConfig config =
-        ClientConfig.of(name).withServer(server, 1, 1).with(ClientConfig.RECONNECT, true);
+        ClientConfig.of(name).withServer(server, 1, 1).with(ClientConfig.PARTY, party);
     GameClient client = new GameClient(config, new Roads(), new Bot(clients.size()), () -> 0);
     clients.add(client);
     return client;

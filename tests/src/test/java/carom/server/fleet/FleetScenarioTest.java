@@ -112,6 +112,41 @@ class FleetScenarioTest {
     }
   }
 
+  @Test
+  void aPartyMeetsWhicheverServersItsMembersComeToAndAlsoAfterADeath() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      for (String name : List.of("a", "b", "c")) {
+        rig.node(name, 2);
+      }
+      rig.run(1);
+      rig.client("stranger", "b");
+      rig.run(1);
+      for (String server : List.of("a", "b", "c")) {
+        rig.client("of" + server, server, "trio"); // at the same moment
+      }
+      rig.run(3);
+      requireAllPlay(rig);
+      String room = rig.clients.get(1).view().room();
+      for (GameClient member : rig.clients.subList(1, 4)) {
+        assertEquals(room, member.view().room());
+      }
+      assertNotEquals(room, rig.clients.get(0).view().room(), "it left places to friends");
+
+      FleetRig.Node owner = rig.owners(room).get(0);
+      owner.kill();
+      rig.run(15); // longer than the directory keeps where the first one went
+      requireAllPlay(rig);
+      String alive = owner.name.equals("a") ? "b" : "a";
+      GameClient fourth = rig.client("fourth", alive, "trio");
+      rig.run(2);
+      assertEquals(room, fourth.view().room());
+      GameClient fifth = rig.client("fifth", alive, "trio");
+      rig.run(2);
+      String message = fifth.view().message();
+      assertTrue(message.contains("Your party is in room " + room + "."), message);
+    }
+  }
+
   /** Returns the ticks that clients saw and that never happened, after a server was killed. */
   private int ticksLost(Durability durability) throws Exception {
     try (FleetRig rig = threeServers(durability, 25_000_000)) {

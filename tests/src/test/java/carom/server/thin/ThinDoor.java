@@ -149,7 +149,7 @@ final class ThinDoor implements ServerTransport {
   }
 
   static ThinClientMessage.Join joining(String name, long secret) {
-    return new ThinClientMessage.Join(ThinLink.VERSION, name, "", "", "", "", secret, "");
+    return new ThinClientMessage.Join(ThinLink.VERSION, name, "", "", "", "", "", secret, "");
   }
 
   @Override

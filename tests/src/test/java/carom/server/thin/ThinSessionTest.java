@@ -18,6 +18,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.room.FleetDoor;
+import carom.server.room.RoomWish;
 import carom.server.session.Ownership;
 import carom.sim.Game;
 import carom.sim.Match;
@@ -234,7 +235,7 @@ final class ThinSessionTest {
   void anotherVersionIsRefusedByName() throws Exception {
     serve(new Balls(1, 0), Balls.level());
     ThinDoor.Client old = new ThinDoor.Client(true, 0, 1);
-    old.say(new ThinClientMessage.Join(7, "Ann", "", "", "", "", 0, ""));
+    old.say(new ThinClientMessage.Join(7, "Ann", "", "", "", "", "", 0, ""));
     door.enter(old);
     steps(5);
     ThinServerMessage.Refused refused = old.last(ThinServerMessage.Refused.class);
@@ -308,12 +309,22 @@ final class ThinSessionTest {
   private static final class FullerElsewhere implements FleetDoor {
     @Override
     public Place find(String room) {
-      return new Place(2, room, "thinballs", 40);
+      return new Place(2, room, "thinballs", 40, 64);
     }
 
     @Override
-    public Place fullest(String game) {
+    public Place best(RoomWish wish) {
       return find("9");
+    }
+
+    @Override
+    public String roomOfParty(String party) {
+      return "9";
+    }
+
+    @Override
+    public Future<String> settle(String party, String room) {
+      throw new AssertionError("a thin client can't follow " + party);
     }
 
     @Override

@@ -123,12 +123,13 @@ final class PlainDecoder {
     String digest = text(MAX_NAME);
     String game = text(MAX_NAME);
     String name = text(MAX_NAME);
+    String party = text(MAX_NAME);
     String password = text(ProtocolLimits.MAX_PASSWORD_BYTES);
     String room = text(MAX_NAME);
     long secret = in.longWhole();
     String token = text(ProtocolLimits.MAX_TOKEN_BYTES);
     return new ThinClientMessage.Join(
-        in.whole(), name, room, game, token, password, secret, digest);
+        in.whole(), name, room, game, party, token, password, secret, digest);
   }
 
   private ThinClientMessage input() {

@@ -99,6 +99,7 @@ final class JsonReader {
         text(body, "name", false),
         text(body, "room", false),
         text(body, "game", false),
+        text(body, "party", false),
         text(body, "token", false),
         text(body, "password", false),
         secret.isEmpty() ? 0 : HexFormat.fromHexDigitsToLong(secret),

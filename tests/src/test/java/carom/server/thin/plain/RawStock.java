@@ -76,7 +76,7 @@ final class RawStock implements AutoCloseable {
   static byte[] join(String name, String token) {
     KryoOutput out = new KryoOutput();
     out.count(PlainIds.JOIN);
-    for (String text : new String[] {"", "", name, "", ""}) {
+    for (String text : new String[] {"", "", name, "", "", ""}) {
       out.text(text);
     }
     out.whole(0L);

@@ -58,7 +58,7 @@ final class ThinFormsTest {
 
     Reader(String name) {
       super(name, true);
-      receive(new ThinClientMessage.Join(VERSION, name, "", "", "", "", 0, ""));
+      receive(new ThinClientMessage.Join(VERSION, name, "", "", "", "", "", 0, ""));
     }
 
     void press(Input input) {

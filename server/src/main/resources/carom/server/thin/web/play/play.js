@@ -18,9 +18,9 @@ const COLOURS = {OF_THE_GAME: 'as in the game', RED: 'red', ORANGE: 'orange', YE
 const EMOTES = {HELLO: 'Hello!', THANKS: 'Thanks!', NICE: 'Nice!', SORRY: 'Sorry!', LAUGH: 'Ha ha!', WOW: 'Wow!', GRR: 'Grr!', GO: 'Go, go!'};
 
 const world = new World(), picture = new Picture($('game'), world), sounds = new Sounds();
-let tickRate = 60, room = roomOfLink(), rooms = [], last = '', sentMs = 0, drawnMs = performance.now(), ready = false;
+let tickRate = 60, room = linked('room'), rooms = [], last = '', sentMs = 0, drawnMs = performance.now(), ready = false;
 
-function roomOfLink() { return new URLSearchParams(location.hash.slice(1)).get('room') || ''; }
+function linked(word) { return new URLSearchParams(location.hash.slice(1)).get(word) || ''; }
 
 function node(tag, text, className) {
   const made = document.createElement(tag);
@@ -131,8 +131,8 @@ function join(secret) {
   menuIsForced = false;
   $('state').textContent = 'Joining ...';
   $('state').hidden = false;
-  const token = new URLSearchParams(location.hash.slice(1)).get('token') || undefined;
-  link.join({name, room: room || undefined, password: $('password').value || undefined, token, secret});
+  link.join({name, room: room || undefined, party: linked('party') || undefined, password: $('password').value || undefined,
+    token: linked('token') || undefined, secret});
 }
 
 function showMenu(on) {
@@ -379,7 +379,7 @@ addEventListener('keydown', e => {
 });
 addEventListener('pointerdown', () => sounds.wake());
 addEventListener('keydown', () => sounds.wake(), {once: true});
-addEventListener('hashchange', () => { room = roomOfLink(); if (world.match && room && room !== world.match.room) link.say('choose', {room}); });
+addEventListener('hashchange', () => { room = linked('room'); if (world.match && room && room !== world.match.room) link.say('choose', {room}); });
 if (matchMedia('(pointer: coarse)').matches) $('glass').hidden = false;
 $('name').value = localStorage.getItem('carom-name') || `Player ${1 + Math.floor(Math.random() * 99)}`;
 showSound();
