@@ -164,7 +164,8 @@ final class HostileLogTest {
       if (!greeted && link.state() == Link.State.OPEN) {
         greeted = true;
         link.send(
-            new ClientMessage.Hello(version, Protocol.physicsDigest(), "Ann", 0, "", "", "", token));
+            new ClientMessage.Hello(
+                version, Protocol.physicsDigest(), "Ann", 0, "", "", "", token));
       }
       link.poll(answer, 100);
       Thread.sleep(1);

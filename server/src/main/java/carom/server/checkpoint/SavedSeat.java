@@ -64,8 +64,7 @@ record SavedSeat(
     String name = a.text("name", reads ? "" : s.name, ProtocolLimits.MAX_NAME_BYTES);
     String account =
         a.text("account", reads ? "" : s.account, ProtocolLimits.MAX_ACCOUNT_CHARACTERS);
-    String party =
-        a.text("party", reads ? "" : s.party, ProtocolLimits.MAX_PARTY_NAME_BYTES);
+    String party = a.text("party", reads ? "" : s.party, ProtocolLimits.MAX_PARTY_NAME_BYTES);
     long secret = a.bits("secret", reads ? 0 : s.secret);
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
@@ -79,8 +78,8 @@ record SavedSeat(
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
         ? new SavedSeat(
-            id, wanted, name, account, party, secret, muted, grace, course, switches, reserved, since,
-            stay, events)
+            id, wanted, name, account, party, secret, muted, grace, course, switches, reserved,
+            since, stay, events)
         : s;
   }
 }

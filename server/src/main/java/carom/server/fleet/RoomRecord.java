@@ -111,7 +111,8 @@ record RoomRecord(
 
   private static List<String> list(Json json, String name) {
     List<String> texts = new ArrayList<>();
-    for (Json text : json.fields.containsKey(name) ? json.fields.get(name).items : List.<Json>of()) {
+    for (Json text :
+        json.fields.containsKey(name) ? json.fields.get(name).items : List.<Json>of()) {
       texts.add(text.text);
     }
     return texts;

@@ -687,9 +687,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
-        waiting.room().isEmpty()
-            ? better(fleet.best(waiting.wish()))
-            : fleet.find(waiting.room());
+        waiting.room().isEmpty() ? better(fleet.best(waiting.wish())) : fleet.find(waiting.room());
     if (there == null) {
       return false;
     }
@@ -735,8 +733,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     FleetDoor fleet = directory.fleet();
     boolean movable = link.isMovable() && !isAlone();
     Room here = directory.ofParty(waiting.party());
-    String room =
-        here != null ? here.name() : movable ? fleet.roomOfParty(waiting.party()) : null;
+    String room = here != null ? here.name() : movable ? fleet.roomOfParty(waiting.party()) : null;
     if (room == null && movable) {
       boolean late = context.nowNs() - waitsUntilNs >= 0;
       if (settling == null && !context.rate().allows(origin.host(), context.nowNs())) {

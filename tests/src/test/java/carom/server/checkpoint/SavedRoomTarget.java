@@ -77,7 +77,20 @@ public final class SavedRoomTarget implements FuzzTarget {
         room(
             List.of(
                 new SavedSeat(
-                    3, "Ann", "Ann (2)", "4711", "trio", -77, true, 1_234, 5, 1, true, 8, stay, new int[0]),
+                    3,
+                    "Ann",
+                    "Ann (2)",
+                    "4711",
+                    "trio",
+                    -77,
+                    true,
+                    1_234,
+                    5,
+                    1,
+                    true,
+                    8,
+                    stay,
+                    new int[0]),
                 new SavedSeat(
                     4,
                     "Zo\u00eb",

@@ -52,7 +52,20 @@ class SavedRoomTest {
             new int[0]);
     SavedSeat bob =
         new SavedSeat(
-            1_023, "Zoë", "Zoë", "", "", 5, false, SavedSeat.PLAYED, 9, 0, false, 7, null, new int[0]);
+            1_023,
+            "Zoë",
+            "Zoë",
+            "",
+            "",
+            5,
+            false,
+            SavedSeat.PLAYED,
+            9,
+            0,
+            false,
+            7,
+            null,
+            new int[0]);
     return new SavedRoom(
         physics,
         layout,
