@@ -78,5 +78,6 @@ public final class Plain {
     kryo.register(BestList.class);
     kryo.register(BestList[].class);
     kryo.register(Best.class);
+    kryo.register(Standby.class);
   }
 }

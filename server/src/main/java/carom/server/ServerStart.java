@@ -195,6 +195,7 @@ final class ServerStart {
         advertised = config.with(ServerConfig.ADVERTISE, pod.advertise());
         peer = pod.peer();
       }
+      String host = FleetFlags.host(advertised.get(ServerConfig.ADVERTISE));
       int port = podPort(ServerConfig.FLEET_PORT, GameServer.FLEET);
       advertised = advertised.with(ServerConfig.FLEET_PORT, port);
       fleet =
@@ -203,6 +204,8 @@ final class ServerStart {
               ServerKey.load(flags.get(ServerConfig.FLEET_KEY)),
               bind.isEmpty() ? null : bind.get(0),
               transport.tcpPort(),
+              PlayFlags.address(config, host, play),
+              PlainFlags.address(host, plain),
               peer,
               flags.dataFolder(),
               access.shared());

@@ -52,7 +52,7 @@ public final class FleetFlags {
   }
 
   /** Returns the host of {@code --advertise}, as people write it. */
-  static String host(String advertise) {
+  public static String host(String advertise) {
     var parts = ADDRESS.matcher(advertise);
     return parts.matches() ? parts.group(1) : advertise;
   }

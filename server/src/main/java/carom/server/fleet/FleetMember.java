@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
 import carom.server.access.SharedList;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
@@ -396,6 +397,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
             lease.number(),
             settings.name(),
             settings.address(),
+            settings.play(),
+            settings.plain(),
             peerAddress,
             host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
             draining);
@@ -520,20 +523,25 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       return;
     }
     clientsNextNs = nowNs + PUBLISH_NS;
-    List<String> addresses = new ArrayList<>();
-    for (ServerRecord server : view.servers().values()) {
-      if (takesRooms(server) && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
-        addresses.add(server.address());
+    for (Link.Door door : Link.Door.values()) {
+      List<String> addresses = new ArrayList<>();
+      for (ServerRecord server : view.servers().values()) {
+        String address = server.address(door);
+        if (takesRooms(server)
+            && !address.isEmpty()
+            && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
+          addresses.add(address);
+        }
       }
-    }
-    for (Claims.Claim claim : claims.all()) {
-      Room room = rooms.get(claim.room());
-      ServerRecord follower = view.servers().get(claim.follower);
-      String standby =
-          follower != null && room != null && room.isFollowed() ? follower.address() : "";
-      ServerMessage.Fleet message = new ServerMessage.Fleet(addresses, standby);
-      if (!message.equals(claim.ownership().servers())) {
-        claim.ownership().servers(message);
+      for (Claims.Claim claim : claims.all()) {
+        Room room = rooms.get(claim.room());
+        ServerRecord follower = view.servers().get(claim.follower);
+        boolean stands = follower != null && room != null && room.isFollowed();
+        ServerMessage.Fleet message =
+            new ServerMessage.Fleet(addresses, stands ? follower.address(door) : "");
+        if (!message.equals(claim.ownership().servers(door))) {
+          claim.ownership().servers(door, message);
+        }
       }
     }
   }
@@ -631,11 +639,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public Place find(String room) {
+  public Place find(String room, Link.Door door) {
     FleetView.OwnedRoom there = view.rooms().get(room);
-    return there == null || there.record().server() == lease.number()
-        ? null
-        : place(there.record());
+    return there != null && leadsTo(there.record(), door) ? place(there.record()) : null;
+  }
+
+  /** Returns whether a room is another server's, which has an address at a door. */
+  private boolean leadsTo(RoomRecord record, Link.Door door) {
+    ServerRecord server = view.servers().get(record.server());
+    return record.server() != lease.number()
+        && (door == Link.Door.OWN || (server != null && !server.address(door).isEmpty()));
   }
 
   private Place place(RoomRecord record) {
@@ -655,13 +668,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public Place best(RoomWish wish) {
+  public Place best(RoomWish wish, Link.Door door) {
     Place best = null;
     int most = -1;
     for (FleetView.OwnedRoom owned : view.rooms().values()) {
       RoomRecord record = owned.record();
       ServerRecord server = view.servers().get(record.server());
-      if (record.server() == lease.number()
+      if (!leadsTo(record, door)
           || server == null
           || server.draining()
           || (settings.maxLoadPercent() > 0 && record.load() > settings.maxLoadPercent())) {
@@ -678,10 +691,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public String roomOfParty(String party) {
+  public String roomOfParty(String party, Link.Door door) {
     for (FleetView.OwnedRoom owned : view.rooms().values()) {
       RoomRecord record = owned.record();
-      if (record.server() != lease.number() && record.parties().contains(party)) {
+      if (record.parties().contains(party) && leadsTo(record, door)) {
         return record.settings().name();
       }
     }
@@ -704,7 +717,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public Future<ServerMessage.Move> move(Place to, Guest guest) {
+  public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
     FleetView.OwnedRoom there = view.rooms().get(to.room());
     if (there != null) {
       int told = there.record().entry().players();
@@ -716,6 +729,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     return ask(
         () -> {
           ServerRecord server = view.servers().get(to.server());
+          if (server != null && door != Link.Door.OWN) {
+            return server.redirect(door, to.room());
+          }
           return server == null
               ? null
               : new ServerMessage.Move(
@@ -752,10 +768,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public List<ServerMessage.RoomEntry> roomsElsewhere() {
+  public List<ServerMessage.RoomEntry> roomsElsewhere(Link.Door door) {
     List<ServerMessage.RoomEntry> entries = new ArrayList<>();
     for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      if (owned.record().server() != lease.number()) {
+      if (leadsTo(owned.record(), door)) {
         entries.add(owned.record().entry());
       }
     }

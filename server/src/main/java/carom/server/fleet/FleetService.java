@@ -73,6 +73,8 @@ public final class FleetService implements AutoCloseable {
    * @param key the fleet's
    * @param bind address of this machine for the port of the fleet, or null for all
    * @param tcpPort the server's port for players
+   * @param play address of its play port for players, empty if they reach none
+   * @param plain address of its door for stock KryoNet, the same
    * @param peer where other servers reach this one's fleet port, {@code host:port}; null for the
    *     host of {@code --advertise} and that port
    * @param data folder for what the server keeps of the fleet
@@ -84,6 +86,8 @@ public final class FleetService implements AutoCloseable {
       ExchangeKey key,
       InetAddress bind,
       int tcpPort,
+      String play,
+      String plain,
       String peer,
       DataFolder data,
       List<SharedList> shared)
@@ -94,6 +98,8 @@ public final class FleetService implements AutoCloseable {
         new FleetSettings(
             address,
             address,
+            play,
+            plain,
             ServerKey.fingerprint(key.publicKey()),
             config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
             (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),

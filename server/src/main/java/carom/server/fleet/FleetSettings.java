@@ -8,6 +8,8 @@ import java.nio.file.Path;
  *
  * @param name name of the server, for people
  * @param address host and TCP port at which players reach this server
+ * @param play host and port of the play port, empty if other servers send nobody there
+ * @param plain the same of the door for stock KryoNet
  * @param fingerprint of the fleet's key
  * @param keepsRooms whether rooms go on while the directory is away
  * @param maxLoadPercent load above which a room takes no newcomers, 0 for none
@@ -18,6 +20,8 @@ import java.nio.file.Path;
 public record FleetSettings(
     String name,
     String address,
+    String play,
+    String plain,
     String fingerprint,
     boolean keepsRooms,
     int maxLoadPercent,

@@ -280,7 +280,10 @@ final class Followers implements AutoCloseable {
   private void handOver(Claims.Claim claim, Room room) {
     claim.handedOver = true;
     long to = claim.movesTo;
-    room.handOver(() -> asks.execute(() -> giveAway(claim, room, to)));
+    ServerRecord server = view.servers().get(to);
+    room.handOver(
+        door -> server == null ? null : server.redirect(door, claim.room()),
+        () -> asks.execute(() -> giveAway(claim, room, to)));
   }
 
   /** Gives a room that has ended here to its follower, who has all of it by then. */

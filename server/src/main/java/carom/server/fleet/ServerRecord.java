@@ -1,5 +1,7 @@
 package carom.server.fleet;
 
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
 import carom.text.Json;
 import java.io.IOException;
 
@@ -9,14 +11,31 @@ import java.io.IOException;
  * @param lease its lease, which is its number in the fleet: another one after each start
  * @param name name of the server, for people
  * @param address host and TCP port for players, as {@code ServerAddress} reads it
+ * @param play host and port of its play port, empty for none
+ * @param plain host, TCP port and perhaps UDP port for stock KryoNet, empty for none
  * @param peer host and port for the other servers of the fleet
  * @param load the part of its processors that its rooms' ticks take, percent
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
 record ServerRecord(
-    long lease, String name, String address, String peer, int load, boolean draining) {
+    long lease, String name, String address, String play, String plain, String peer, int load, boolean draining) {
   /** Begins the keys of servers in the directory. */
   static final String PREFIX = "servers/";
+
+  /** Returns the address at a door, empty for none. */
+  String address(Link.Door door) {
+    return switch (door) {
+      case OWN -> address;
+      case PLAY -> play;
+      case PLAIN -> plain;
+    };
+  }
+
+  /** Returns what sends a client to a room there; null where the server has no such door. */
+  ServerMessage.Redirect redirect(Link.Door door, String room) {
+    String there = address(door);
+    return there.isEmpty() ? null : new ServerMessage.Redirect(there, "", room, "");
+  }
 
   /** Returns the host of {@link #peer}. */
   String peerHost() {
@@ -40,6 +59,8 @@ record ServerRecord(
         json -> {
           json.writeStringField("name", name);
           json.writeStringField("address", address);
+          json.writeStringField("play", play);
+          json.writeStringField("plain", plain);
           json.writeStringField("peer", peer);
           json.writeNumberField("load", load);
           json.writeBooleanField("draining", draining);
@@ -57,6 +78,8 @@ record ServerRecord(
         lease,
         FleetJson.text(json, "name"),
         FleetJson.text(json, "address"),
+        FleetJson.text(json, "play"),
+        FleetJson.text(json, "plain"),
         FleetJson.text(json, "peer"),
         FleetJson.whole(json, "load"),
         FleetJson.flag(json, "draining"));

@@ -149,7 +149,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private ClientMessage.Hello ticketHolder; // while that is asked
 
   /** The way to another server of the fleet, as soon as there is a ticket; or null. */
-  private Future<ServerMessage.Move> moving;
+  private Future<ServerMessage> moving;
 
   /** The room of the visitor's party, as soon as the fleet's directory has answered; or null. */
   private Future<String> settling;
@@ -159,6 +159,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** The room that the client waits for, which this server follows; or null. */
   private ClientMessage.Standby standby;
+
+  /** What a thin client said that may be here before its room, and so stands by; or null. */
+  private ClientMessage.Hello early;
 
   Visitor(LobbyContext context, Link link) {
     this.context = context;
@@ -308,7 +311,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       refuse(RefusalReason.BAD_REQUEST, "The list of rooms was requested again and again.");
       return;
     }
-    roomList.begin(directory.list(link.isMovable(), context.nowNs()));
+    roomList.begin(directory.list(link.door(), context.nowNs()));
   }
 
   /** Refuses a client of another protocol, and returns whether the client may go on. */
@@ -375,6 +378,16 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     if (standby != null || intake != null) {
       refuse(RefusalReason.BAD_REQUEST, "Hello came while the client stands by or sends a level.");
+      return;
+    }
+    if (early == null
+        && link.door() != Link.Door.OWN
+        && directory.fleet().follows(hello.room(), hello.resumeSecret())) {
+      early = hello;
+      waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
+      standBy(
+          new ClientMessage.Standby(
+              hello.protocolVersion(), hello.physicsDigest(), hello.resumeSecret(), hello.room()));
       return;
     }
     if (hello.token().startsWith(Seats.BOT)) {
@@ -523,6 +536,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       waiting = new JoinRequest("", "", standby.room(), "", "", standby.secret(), false);
       waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
       standby = null;
+    } else if (early != null && context.nowNs() - waitsUntilNs >= 0) {
+      standby = null;
+      hello(early); // the room stays where it is
     } else if (!directory.fleet().follows(standby.room(), standby.secret())
         && !directory.fleet().mayComeBack(standby.room())
         && directory.find(standby.room()) == null) {
@@ -642,7 +658,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       if (mayComeBack && late) {
         refuse(RefusalReason.FLEET_UNSETTLED, "The room isn't back yet.");
       } else if (!mayComeBack) {
-        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe(link.isMovable()));
+        refuse(RefusalReason.ROOM_UNKNOWN, directory.describe(link.door()));
       }
       return;
     }
@@ -682,12 +698,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * @param requested the room here that the player asks for, or null
    */
   private boolean isOwnedElsewhere(Room requested) {
-    if (requested != null || !link.isMovable()) {
+    if (requested != null) {
       return false;
     }
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
-        waiting.room().isEmpty() ? better(fleet.best(waiting.wish())) : fleet.find(waiting.room());
+        waiting.room().isEmpty() ? better(fleet.best(waiting.wish(), link.door())) : fleet.find(waiting.room(), link.door());
     if (there == null) {
       return false;
     }
@@ -700,7 +716,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
                 there.room(),
                 waiting.game(),
                 waiting.party(),
-                waiting.anywhere()));
+                waiting.anywhere()),
+            link.door());
     return true;
   }
 
@@ -731,10 +748,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return false;
     }
     FleetDoor fleet = directory.fleet();
-    boolean movable = link.isMovable() && !isAlone();
     Room here = directory.ofParty(waiting.party());
-    String room = here != null ? here.name() : movable ? fleet.roomOfParty(waiting.party()) : null;
-    if (room == null && movable) {
+    String room = here != null ? here.name() : fleet.roomOfParty(waiting.party(), link.door());
+    if (room == null && !isAlone()) {
       boolean late = context.nowNs() - waitsUntilNs >= 0;
       if (settling == null && !context.rate().allows(origin.host(), context.nowNs())) {
         if (late) {
@@ -743,7 +759,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         return true;
       }
       if (settling == null) {
-        FleetDoor.Place there = better(fleet.best(waiting.wish()));
+        FleetDoor.Place there = better(fleet.best(waiting.wish(), link.door()));
         Room best = bestHere();
         if (there == null && best == null) {
           return false; // all are full
@@ -770,16 +786,16 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Sends the client to the server for which it has a ticket by now. */
   private void goThere() {
     if (moving.isDone()) {
-      ServerMessage.Move move = FleetDoor.outcome(moving);
+      ServerMessage move = FleetDoor.outcome(moving);
       if (move == null) {
         moving = null;
         refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
         return;
       }
       done = true;
-      LOG.info("visitor {} goes to room {} at {}", link.remote(), move.room(), move.server());
+      LOG.info("visitor {} goes to another server: {}", link.remote(), move);
       link.send(move);
-      context.closeLater(link, "moved to " + move.server());
+      context.closeLater(link, "moved");
     } else if (context.nowNs() - waitsUntilNs >= 0) {
       refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
     }
@@ -804,7 +820,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     refuse(
         requested == null ? RefusalReason.SERVER_FULL : RefusalReason.ROOM_FULL,
-        requested == null ? text : text + " " + directory.describe(link.isMovable()));
+        requested == null ? text : text + " " + directory.describe(link.door()));
   }
 
   /**

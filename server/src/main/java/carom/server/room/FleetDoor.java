@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
@@ -15,17 +16,17 @@ public interface FleetDoor {
   FleetDoor NONE =
       new FleetDoor() {
         @Override
-        public Place find(String room) {
+        public Place find(String room, Link.Door door) {
           return null;
         }
 
         @Override
-        public Place best(RoomWish wish) {
+        public Place best(RoomWish wish, Link.Door door) {
           return null;
         }
 
         @Override
-        public String roomOfParty(String party) {
+        public String roomOfParty(String party, Link.Door door) {
           return null;
         }
 
@@ -45,7 +46,7 @@ public interface FleetDoor {
         }
 
         @Override
-        public Future<ServerMessage.Move> move(Place to, Guest guest) {
+        public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
           throw new IllegalStateException("there is no fleet");
         }
 
@@ -55,7 +56,7 @@ public interface FleetDoor {
         }
 
         @Override
-        public List<ServerMessage.RoomEntry> roomsElsewhere() {
+        public List<ServerMessage.RoomEntry> roomsElsewhere(Link.Door door) {
           return List.of();
         }
       };
@@ -96,14 +97,18 @@ public interface FleetDoor {
     }
   }
 
-  /** Returns where a room is that another server owns, or null. */
-  Place find(String room);
+  /** Returns where a room is that another server owns and clients of a door reach, or null. */
+  Place find(String room, Link.Door door);
 
-  /** Returns the room elsewhere that suits best and isn't too busy; null if none has a place. */
-  Place best(RoomWish wish);
+  /**
+   * Returns the room elsewhere that suits best and isn't too busy; null if none has a place.
+   *
+   * @param door by which the client must reach it
+   */
+  Place best(RoomWish wish, Link.Door door);
 
-  /** Returns the name of a room elsewhere in which a party has members, or null. */
-  String roomOfParty(String party);
+  /** Returns a room elsewhere in which a party has members and to which a door leads, or null. */
+  String roomOfParty(String party, Link.Door door);
 
   /**
    * Settles where the first member of a party goes, so that those who come at the same moment go
@@ -125,13 +130,14 @@ public interface FleetDoor {
 
   /**
    * Makes a ticket for a player and returns what to send to its client; null if the directory
-   * doesn't answer.
+   * doesn't answer. A client of another door than the own one needs no ticket: it shows there again
+   * what lets it in.
    */
-  Future<ServerMessage.Move> move(Place to, Guest guest);
+  Future<ServerMessage> move(Place to, Guest guest, Link.Door door);
 
   /** Takes a ticket of this server, once, and returns who has it; null if it isn't good. */
   Future<Guest> redeem(String ticket);
 
-  /** Returns what lists of rooms say about the rooms of other servers. */
-  List<ServerMessage.RoomEntry> roomsElsewhere();
+  /** Returns what lists of rooms say about the rooms of other servers to which a door leads. */
+  List<ServerMessage.RoomEntry> roomsElsewhere(Link.Door door);
 }

@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.frame.FrameRing;
+import carom.net.transport.Link;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
@@ -33,6 +34,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -305,12 +307,13 @@ public final class Room {
    * Ends the room in its next turn without a word to its players, because another server goes on
    * with it; its journals get the last tick. Any thread.
    *
+   * @param where leads to that server, by the doors of clients; null where it can't be told
    * @param ended told when the room has ended, for this reason or another, on the room's thread
    */
-  public void handOver(Runnable ended) {
+  public void handOver(Function<Link.Door, ServerMessage.Redirect> where, Runnable ended) {
     next.set(
         () -> {
-          end.handOver(parts.clock.getAsLong());
+          end.handOver(where, parts.clock.getAsLong());
           ended.run();
         });
     wake.run();

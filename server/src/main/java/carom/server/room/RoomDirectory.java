@@ -3,11 +3,14 @@ package carom.server.room;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Broadcast;
+import carom.net.transport.Link;
 import carom.server.account.AccountService;
 import carom.server.session.ChatCommands;
 import carom.server.upload.Uploads;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 
 /**
@@ -26,8 +29,7 @@ public final class RoomDirectory {
   private volatile AccountService accounts;
   private volatile Uploads uploads;
   private volatile BotCrew bots;
-  private List<Broadcast> list = List.of();
-  private List<Broadcast> listHere = List.of();
+  private final Map<Link.Door, List<Broadcast>> lists = new EnumMap<>(Link.Door.class);
   private long listedNs;
 
   /** Creates a directory without rooms. */
@@ -137,19 +139,18 @@ public final class RoomDirectory {
   /**
    * Returns the messages that list all open rooms.
    *
-   * @param everywhere whether also those of other servers, to which the client can be moved
+   * @param door that of the client, which decides to which other servers of the fleet it can go
    */
-  public synchronized List<Broadcast> list(boolean everywhere, long nowNs) {
-    if (list.isEmpty() || nowNs - listedNs > LIST_AGE_NS) {
-      list = build(true);
-      listHere = fleet == FleetDoor.NONE ? list : build(false);
+  public synchronized List<Broadcast> list(Link.Door door, long nowNs) {
+    if (nowNs - listedNs > LIST_AGE_NS) {
+      lists.clear();
       listedNs = nowNs;
     }
-    return everywhere ? list : listHere;
+    return lists.computeIfAbsent(door, this::build);
   }
 
-  private List<Broadcast> build(boolean everywhere) {
-    List<ServerMessage.RoomEntry> entries = entries(everywhere);
+  private List<Broadcast> build(Link.Door door) {
+    List<ServerMessage.RoomEntry> entries = entries(door);
     List<Broadcast> messages = new ArrayList<>();
     int from = 0;
     do {
@@ -163,28 +164,26 @@ public final class RoomDirectory {
   }
 
   /** Returns what lists say about all open rooms, those of this server first. */
-  private List<ServerMessage.RoomEntry> entries(boolean everywhere) {
+  private List<ServerMessage.RoomEntry> entries(Link.Door door) {
     List<ServerMessage.RoomEntry> entries = new ArrayList<>();
     for (Room room : rooms) {
       if (!room.hasFailed()) {
         entries.add(room.entry());
       }
     }
-    if (everywhere) {
-      entries.addAll(fleet.roomsElsewhere());
-    }
+    entries.addAll(fleet.roomsElsewhere(door));
     return entries;
   }
 
   /**
    * Returns names and places of the rooms in a sentence, for a player who can't enter one.
    *
-   * @param everywhere as for {@link #list}
+   * @param door as for {@link #list}
    */
-  public String describe(boolean everywhere) {
+  public String describe(Link.Door door) {
     StringBuilder text = new StringBuilder("Rooms: ");
     int described = 0;
-    for (ServerMessage.RoomEntry room : entries(everywhere)) {
+    for (ServerMessage.RoomEntry room : entries(door)) {
       if (described++ < MAX_DESCRIBED) {
         text.append(described == 1 ? "" : ", ").append(room.name()).append(' ');
         text.append(room.players()).append('/').append(room.places());

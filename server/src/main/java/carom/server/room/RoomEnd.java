@@ -1,6 +1,10 @@
 package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import carom.server.session.Session;
+import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,15 +52,24 @@ final class RoomEnd {
 
   /**
    * Ends the room because another server goes on with it. Its links stay open and say nothing: the
-   * clients hear from that server.
+   * clients hear from that server. Thin clients, which don't, are told where it is.
+   *
+   * @param where leads to the other server, by door; null where it can't be told
    */
-  void handOver(long nowNs) {
+  void handOver(Function<Link.Door, ServerMessage.Redirect> where, long nowNs) {
     if (closed) {
       return;
     }
     closed = true;
     parts.recording.end("HANDED OVER");
     parts.journals.handOver(nowNs);
+    for (int i = 0; i < parts.sessions.count(); i++) {
+      Session session = parts.sessions.get(i);
+      var there = session.door() == Link.Door.OWN ? null : where.apply(session.door());
+      if (there != null) {
+        session.send(there);
+      }
+    }
   }
 
   /** Closes the links of a room that was handed over; from any thread. */

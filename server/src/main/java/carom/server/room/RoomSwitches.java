@@ -42,7 +42,7 @@ final class RoomSwitches {
   private final LevelChoices levels;
 
   /** Tickets to other servers that were asked for. */
-  private final IdentityHashMap<Session, Future<ServerMessage.Move>> tickets =
+  private final IdentityHashMap<Session, Future<ServerMessage>> tickets =
       new IdentityHashMap<>();
 
   /** Creates an object without players to move. */
@@ -73,7 +73,7 @@ final class RoomSwitches {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.takeRoomsRequest(rate / LISTS_PER_SECOND)) {
-        session.answer().begin(directory.list(session.isMovable(), nowNs));
+        session.answer().begin(directory.list(session.door(), nowNs));
       }
       if (session.takeBestRequest(rate / LISTS_PER_SECOND)) {
         session.answer().begin(List.of(new Broadcast(accounts.best(session.seat().account()))));
@@ -84,7 +84,7 @@ final class RoomSwitches {
       for (Broadcast part; (part = session.answer().take(nowNs)) != null; ) {
         sessions.sendTo(session, part);
       }
-      session.tellFleet(room.ownership().servers());
+      session.tellFleet(room.ownership().servers(session.door()));
       String request = session.requestedRoom();
       if (request != null
           && session.answer().isSent()
@@ -130,7 +130,7 @@ final class RoomSwitches {
       return;
     }
     if (to == null) {
-      stay(session, "There is no such room. " + directory.describe(session.isMovable()));
+      stay(session, "There is no such room. " + directory.describe(session.door()));
       return;
     }
     if (to == self) {
@@ -139,7 +139,7 @@ final class RoomSwitches {
     }
     Seats.Seat seat = to.seats().takeFor(session.seat(), room.seats());
     if (seat == null) {
-      stay(session, "Room " + name + " is full. " + directory.describe(session.isMovable()));
+      stay(session, "Room " + name + " is full. " + directory.describe(session.door()));
       return;
     }
     long untilNs = nowNs + room.config().graceMs() * NS_PER_MS;
@@ -167,9 +167,9 @@ final class RoomSwitches {
    * @return false if no other server owns it
    */
   private boolean moveAway(Session session, String name, long nowNs) {
-    Future<ServerMessage.Move> ticket = tickets.get(session);
+    Future<ServerMessage> ticket = tickets.get(session);
     if (ticket == null) {
-      FleetDoor.Place there = session.isMovable() ? directory.fleet().find(name) : null;
+      FleetDoor.Place there = directory.fleet().find(name, session.door());
       if (there == null) {
         return false;
       }
@@ -181,19 +181,19 @@ final class RoomSwitches {
               "",
               session.seat().party(),
               false);
-      tickets.put(session, directory.fleet().move(there, guest));
+      tickets.put(session, directory.fleet().move(there, guest, session.door()));
       return true;
     }
     if (ticket.isDone()) {
       tickets.remove(session);
-      ServerMessage.Move move = FleetDoor.outcome(ticket);
+      ServerMessage move = FleetDoor.outcome(ticket);
       if (move == null) {
         stay(session, "The fleet's directory doesn't answer. Try again in a moment.");
       } else {
         session.send(move);
         departures.remove(
             session,
-            "goes to room " + name + " at " + move.server(),
+            "goes to room " + name + " of another server",
             " went to room " + name,
             nowNs);
       }

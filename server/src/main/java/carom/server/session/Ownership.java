@@ -2,6 +2,8 @@ package carom.server.session;
 
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -16,7 +18,10 @@ public final class Ownership {
   private final BooleanSupplier lease; // null without a fleet
   private final long before;
   private volatile long claim;
-  private volatile ServerMessage.Fleet servers; // null without a fleet
+
+  /** What clients are told of the fleet, by their doors; empty without one. */
+  private final Map<Link.Door, ServerMessage.Fleet> servers = new ConcurrentHashMap<>();
+
 
   private Ownership(BooleanSupplier lease, long before) {
     this.lease = lease;
@@ -61,14 +66,14 @@ public final class Ownership {
     claim = number;
   }
 
-  /** Returns what clients are told of the fleet, or null. */
-  public ServerMessage.Fleet servers() {
-    return servers;
+  /** Returns what clients of a door are told of the fleet, or null. */
+  public ServerMessage.Fleet servers(Link.Door door) {
+    return servers.get(door);
   }
 
-  /** Sets what clients are told of the fleet. */
-  public void servers(ServerMessage.Fleet message) {
-    servers = message;
+  /** Sets what clients of a door are told of the fleet. */
+  public void servers(Link.Door door, ServerMessage.Fleet message) {
+    servers.put(door, message);
   }
 
   /** Returns a link that sends for the room only while it is owned. */

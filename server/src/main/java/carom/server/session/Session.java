@@ -394,9 +394,9 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Returns whether the client can be moved to another server of the fleet. */
-  public boolean isMovable() {
-    return link != null && link.isMovable();
+  /** Returns the door by which the client has come; the own one without a link. */
+  public Link.Door door() {
+    return link == null ? Link.Door.OWN : link.door();
   }
 
   /**

@@ -414,10 +414,9 @@ public abstract class ThinLink implements Link {
     return this;
   }
 
-  /** Returns false: the address of this door at another server isn't known. */
   @Override
-  public final boolean isMovable() {
-    return false;
+  public Door door() {
+    return Door.PLAY;
   }
 
   /** Returns whether the link may send for its room now, see {@link #sendingWhile}. Any thread. */
@@ -448,6 +447,8 @@ public abstract class ThinLink implements Link {
       tell(new ThinServerMessage.Goodbye(g.reason().name(), g.playerText()));
     } else if (message instanceof ServerMessage.Redirect r) {
       tell(new ThinServerMessage.Redirect(r.server(), r.room()));
+    } else if (message instanceof ServerMessage.Fleet f) {
+      tell(new ThinServerMessage.Standby(f.standby()));
     } else if (message instanceof ServerMessage.Notice n) {
       tell(new ThinServerMessage.Chat(BuiltInKinds.SERVER, n.text(), false));
     } else if (message instanceof ServerMessage.RoomList list) {

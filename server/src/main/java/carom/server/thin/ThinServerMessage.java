@@ -244,6 +244,12 @@ public sealed interface ThinServerMessage {
   /** Sends the client to another server, {@code host:port}; the link closes after it. */
   record Redirect(String server, String room) implements ThinServerMessage {}
 
+  /**
+   * Says where the room goes on if this server is lost: {@code host:port}, empty for nowhere. The
+   * client joins there with its secret and the name of the room.
+   */
+  record Standby(String server) implements ThinServerMessage {}
+
   /** Ends the session; the link closes after it. */
   record Goodbye(String reason, String text) implements ThinServerMessage {}
 }

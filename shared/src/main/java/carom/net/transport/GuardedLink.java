@@ -72,8 +72,8 @@ final class GuardedLink implements Link {
   }
 
   @Override
-  public boolean isMovable() {
-    return link.isMovable();
+  public Door door() {
+    return link.door();
   }
 
   @Override

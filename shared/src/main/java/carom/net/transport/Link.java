@@ -104,12 +104,19 @@ public interface Link {
     return new GuardedLink(this, condition);
   }
 
-  /**
-   * Returns whether the client at the other end follows {@link
-   * carom.net.protocol.ServerMessage.Move} to another server of the fleet.
-   */
-  default boolean isMovable() {
-    return true;
+  /** The doors by which clients come to a server. Each has an address of its own. */
+  enum Door {
+    /** Carom's own clients, which follow {@link carom.net.protocol.ServerMessage.Move}. */
+    OWN,
+    /** The play port: WebSocket. */
+    PLAY,
+    /** Stock KryoNet. */
+    PLAIN
+  }
+
+  /** Returns the door by which the client has come, and by which it goes to another server. */
+  default Door door() {
+    return Door.OWN;
   }
 
   /**

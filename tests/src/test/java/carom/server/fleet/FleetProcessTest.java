@@ -1,9 +1,11 @@
 package carom.server.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.ClientConfig;
 import carom.client.GameClient;
@@ -15,6 +17,7 @@ import carom.net.transport.ClientTransport;
 import carom.server.CaromMain;
 import carom.server.ServerMain;
 import carom.server.directory.EtcdProgram;
+import carom.server.web.Chromium;
 import carom.suite.Needs;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -44,7 +47,8 @@ import org.junit.jupiter.api.io.TempDir;
  */
 @Needs("processes")
 class FleetProcessTest {
-  private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
+  private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+).*");
+  private static final Pattern PLAY = Pattern.compile("play: (http://127.0.0.1:\\d+/play)");
   private static final int PLAYERS = 5;
 
   @TempDir Path folder;
@@ -81,6 +85,7 @@ class FleetProcessTest {
     command.addAll(List.of("--tcp-port", "0", "--udp-port", "0", "--bind", "127.0.0.1"));
     command.addAll(List.of("--max-players", "2", "--data", folder.resolve(name).toString()));
     command.addAll(List.of("--no-web", "--no-query", "--log-keep", "0", "--max-load", "0"));
+    command.addAll(List.of("--play-port", "0"));
     Process server = new ProcessBuilder(command).redirectError(log(name).toFile()).start();
     servers.put(name, server);
     server.getOutputStream().close();
@@ -173,6 +178,46 @@ class FleetProcessTest {
     updateUntil("followed", () -> !carom("rooms").contains("none yet"));
     long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(2);
     updateUntil("stands by", () -> System.nanoTime() >= endNs);
+  }
+
+  /** Returns the address of the page on which browsers play at a server. */
+  private String page(String name) {
+    Matcher play = PLAY.matcher(read(name));
+    assertTrue(play.find(), () -> read(name));
+    return play.group(1);
+  }
+
+  @Test
+  @Needs("processes, a browser")
+  void aPageGoesWithItsRoomFromServerToServer() throws Exception {
+    Path program = Chromium.find();
+    assertTrue(program != null || System.getenv("CI") == null, "CI has no Chromium");
+    assumeTrue(program != null, "no Chromium");
+    etcd = new EtcdProgram(folder, "http");
+    start("a");
+    start("b");
+    try (Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
+      browser.open(page("a") + "#room=2&party=duo"); // b's room: a sends the page there
+      browser.await("window.caromPlay");
+      browser.evaluate("document.getElementById('name').value = 'Zo\u00eb'");
+      browser.click("document.getElementById('go')");
+      String there = "location.href.startsWith('%s') && window.caromPlay && caromPlay.world.own";
+      browser.await(there.formatted(page("b")));
+      browser.await("caromPlay.link.standby");
+      String seat = "caromPlay.link.secret + caromPlay.world.match.room";
+      String before = browser.evaluate(seat);
+      assertTrue(before.endsWith("2"), before);
+      assertFalse(browser.evaluate("location.href").contains(before.substring(0, 16)));
+
+      carom("move", "2");
+      browser.await(there.formatted(page("a")));
+      assertEquals(before, browser.evaluate(seat), "the same seat");
+      browser.await("caromPlay.link.standby");
+      servers.get("a").destroyForcibly(); // kill -9
+      browser.await(there.formatted(page("b")));
+      assertEquals(before, browser.evaluate(seat), "the same seat");
+      assertTrue(read("b").contains("back: Zo\u00eb"), () -> read("b"));
+    }
   }
 
   @Test

@@ -133,6 +133,8 @@ public final class FleetRig implements AutoCloseable {
           new FleetSettings(
               name,
               name,
+              name + ":2",
+              "",
               "fleet",
               false,
               0,

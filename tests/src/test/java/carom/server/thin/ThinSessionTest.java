@@ -10,6 +10,7 @@ import carom.fixtures.FieldGame;
 import carom.fixtures.PlainGame;
 import carom.net.codec.Quantizer;
 import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
@@ -308,18 +309,18 @@ final class ThinSessionTest {
   /** A fleet that has a fuller room elsewhere, to which no thin client can go. */
   private static final class FullerElsewhere implements FleetDoor {
     @Override
-    public Place find(String room) {
-      return new Place(2, room, "thinballs", 40, 64);
+    public Place find(String room, Link.Door door) {
+      return door == Link.Door.OWN ? new Place(2, room, "thinballs", 40, 64) : null;
     }
 
     @Override
-    public Place best(RoomWish wish) {
-      return find("9");
+    public Place best(RoomWish wish, Link.Door door) {
+      return find("9", door);
     }
 
     @Override
-    public String roomOfParty(String party) {
-      return "9";
+    public String roomOfParty(String party, Link.Door door) {
+      return null;
     }
 
     @Override
@@ -338,7 +339,7 @@ final class ThinSessionTest {
     }
 
     @Override
-    public Future<ServerMessage.Move> move(Place to, Guest guest) {
+    public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
       throw new AssertionError("a thin client can't follow " + to);
     }
 
@@ -348,8 +349,10 @@ final class ThinSessionTest {
     }
 
     @Override
-    public List<ServerMessage.RoomEntry> roomsElsewhere() {
-      return List.of(new ServerMessage.RoomEntry("9", "thinballs", "l", "", 40, 64, 0, Map.of()));
+    public List<ServerMessage.RoomEntry> roomsElsewhere(Link.Door door) {
+      return door == Link.Door.OWN
+          ? List.of(new ServerMessage.RoomEntry("9", "thinballs", "l", "", 40, 64, 0, Map.of()))
+          : List.of();
     }
   }
 

@@ -105,6 +105,9 @@ final class PlainEncoder {
       begin = begin(out, PlainIds.REDIRECT);
       out.text(m.room());
       out.text(m.server());
+    } else if (message instanceof ThinServerMessage.Standby m) {
+      begin = begin(out, PlainIds.STANDBY);
+      out.text(m.server());
     } else if (message instanceof ThinServerMessage.Scores m) {
       begin = begin(out, PlainIds.SCORES);
       wholes(out, m.scores());

@@ -44,6 +44,18 @@ public final class PlainFlags {
   }
 
   /**
+   * Returns the address of an open door as clients are told it, host:tcp or host:tcp:udp; empty
+   * without one.
+   *
+   * @param host by which players reach this server
+   */
+  public static String address(String host, PlainDoor door) {
+    return door == null
+        ? ""
+        : host + ":" + door.tcpPort() + (door.udpPort() > 0 ? ":" + door.udpPort() : "");
+  }
+
+  /**
    * Opens the door, or returns null if the operator doesn't want one.
    *
    * @param addresses of this machine; empty for all

@@ -50,9 +50,10 @@ final class PlainIds {
 
   static final int LIST_BEST = 75;
   static final int BEST = 80;
+  static final int STANDBY = 81;
 
   /** The first of a game's own classes, see {@link carom.server.thin.GameClasses}. */
-  static final int FIRST_OF_GAME = 81;
+  static final int FIRST_OF_GAME = 82;
 
   private PlainIds() {}
 }

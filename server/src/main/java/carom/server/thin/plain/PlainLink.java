@@ -53,6 +53,11 @@ final class PlainLink extends ThinLink {
   }
 
   @Override
+  public Door door() {
+    return Door.PLAIN;
+  }
+
+  @Override
   public boolean isPlainText() {
     return true;
   }

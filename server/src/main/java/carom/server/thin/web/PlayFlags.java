@@ -34,6 +34,18 @@ public final class PlayFlags {
   }
 
   /**
+   * Returns the address of an open port as clients are told it, host:port; empty without one, and
+   * where a proxy stands before it, whose address isn't known.
+   *
+   * @param host by which players reach this server
+   */
+  public static String address(ServerConfig config, String host, PlayPort port) {
+    return port == null || !config.get(ServerConfig.PLAY_BEHIND).isEmpty()
+        ? ""
+        : host + ":" + port.tcpPort();
+  }
+
+  /**
    * Opens the port, or returns null if the operator doesn't want it.
    *
    * @param addresses of this machine on which the server's ports are open; empty for all

@@ -216,12 +216,12 @@ final class GameMessagesTest {
                 MessageKind.named("a").text("text", 9).choice("mood", MessageKind.Direction.class),
                 MessageKind.named("b").count("n", 0, 9)));
     PlainDecoder decoder = new PlainDecoder();
-    String right = "53" + "04"; // 81 + 2: one class and its enum come before
+    String right = "54" + "04"; // 82 + 2: one class and its enum come before
     byte[] bytes = HexFormat.of().parseHex(right);
     assertEquals(
         "Custom[kind=b, values={n=2}]", "" + decoder.decode(bytes, 0, bytes.length, classes));
     assertNull(decoder.decode(bytes, 0, bytes.length, null), "a client without classes");
-    for (String wrong : List.of("52", "5400", "53", "530400", "510480", "510580", "51ffffffff7f")) {
+    for (String wrong : List.of("53", "5500", "54", "540400", "520480", "520580", "52ffffffff7f")) {
       byte[] one = HexFormat.of().parseHex(wrong);
       assertNull(decoder.decode(one, 0, one.length, classes), wrong);
       assertTrue(decoder.problem() != null, wrong);

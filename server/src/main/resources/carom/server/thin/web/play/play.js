@@ -77,7 +77,7 @@ const link = new Thin({
   emote: ({player, emote}) => picture.emote(player, EMOTES[emote] || emote, performance.now()),
   rooms: takeRooms,
   best: value => { best = value.lists; showBest(); },
-  redirect: ({server}) => end(`This server sends its players to ${server}.`),
+  redirect: follow,
   state: text => { $('state').textContent = text; $('state').hidden = !text; },
   end,
 });
@@ -99,6 +99,14 @@ async function wear(game) {
     controls.use(newLook?.actions || []);
     $('keys').textContent = newLook?.actions.length ? `${controls.words()} · Enter: chat · Esc: menu. A gamepad and glass work too.` : usualKeys;
   }
+}
+
+/** Goes to another server, with the seat: whose page takes it from the link, as no other page can read this one's. */
+function follow({server, room: there = room}) {
+  sessionStorage.removeItem(SEAT);
+  const words = {room: there, name: $('name').value, seat: link.secret, token: linked('token'), party: linked('party')};
+  for (const word of Object.keys(words)) if (!words[word]) delete words[word];
+  location.href = `${location.protocol}//${server}/play#${new URLSearchParams(words)}`;
 }
 
 /** Takes a part of the list of rooms. */
@@ -385,6 +393,14 @@ $('name').value = localStorage.getItem('carom-name') || `Player ${1 + Math.floor
 showSound();
 showLink();
 showStay();
+if (linked('name')) { // this page goes on for one of another server
+  $('name').value = linked('name');
+  sessionStorage.setItem(SEAT, JSON.stringify({secret: linked('seat') || undefined, name: linked('name')}));
+  const words = new URLSearchParams(location.hash.slice(1));
+  words.delete('name');
+  words.delete('seat'); // which is the player's alone
+  history.replaceState(null, '', `#${words}`);
+}
 const seat = JSON.parse(sessionStorage.getItem(SEAT) || 'null');
 if (seat) {
   $('name').value = seat.name;

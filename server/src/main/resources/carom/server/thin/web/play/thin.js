@@ -13,6 +13,7 @@ export class Thin {
   constructor(hear) {
     this.hear = hear;
     this.secret = '';
+    this.standby = '';
     this.inputs = [];
     this.bytesIn = 0;
   }
@@ -33,6 +34,7 @@ export class Thin {
     this.joining = values;
     this.secret = values.secret || '';
     this.wait = FIRST_WAIT_MS;
+    this.losses = 0;
     this.open();
   }
 
@@ -65,10 +67,15 @@ export class Thin {
     if (name === 'welcome') {
       this.secret = value.secret;
       this.wait = FIRST_WAIT_MS;
+      this.losses = 0;
       this.hear.state('');
     } else if (name === 'match') {
       this.poses.clear();
       this.seen = -1;
+    } else if (name === 'standby') {
+      this.standby = value.server;
+    } else if (name === 'redirect') {
+      this.close();
     } else if (name === 'refused' || name === 'goodbye') {
       this.close();
       this.hear.end(value.text || value.reason);
@@ -147,6 +154,12 @@ export class Thin {
   lost() {
     this.socket = null;
     if (!this.joining) return;
+    if (++this.losses > 1 && this.standby && navigator.onLine) { // the room goes on there
+      const server = this.standby;
+      this.close();
+      this.hear.redirect({server});
+      return;
+    }
     this.hear.state('The connection is lost. Trying again ...');
     this.timer = setTimeout(() => this.open(), this.wait);
     this.wait = Math.min(LONGEST_WAIT_MS, 2 * this.wait);
