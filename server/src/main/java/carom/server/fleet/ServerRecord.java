@@ -18,7 +18,14 @@ import java.io.IOException;
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
 record ServerRecord(
-    long lease, String name, String address, String play, String plain, String peer, int load, boolean draining) {
+    long lease,
+    String name,
+    String address,
+    String play,
+    String plain,
+    String peer,
+    int load,
+    boolean draining) {
   /** Begins the keys of servers in the directory. */
   static final String PREFIX = "servers/";
 

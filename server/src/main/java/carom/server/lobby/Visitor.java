@@ -703,7 +703,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
-        waiting.room().isEmpty() ? better(fleet.best(waiting.wish(), link.door())) : fleet.find(waiting.room(), link.door());
+        waiting.room().isEmpty()
+            ? better(fleet.best(waiting.wish(), link.door()))
+            : fleet.find(waiting.room(), link.door());
     if (there == null) {
       return false;
     }

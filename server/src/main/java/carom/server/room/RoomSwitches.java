@@ -42,8 +42,7 @@ final class RoomSwitches {
   private final LevelChoices levels;
 
   /** Tickets to other servers that were asked for. */
-  private final IdentityHashMap<Session, Future<ServerMessage>> tickets =
-      new IdentityHashMap<>();
+  private final IdentityHashMap<Session, Future<ServerMessage>> tickets = new IdentityHashMap<>();
 
   /** Creates an object without players to move. */
   RoomSwitches(
@@ -192,10 +191,7 @@ final class RoomSwitches {
       } else {
         session.send(move);
         departures.remove(
-            session,
-            "goes to room " + name + " of another server",
-            " went to room " + name,
-            nowNs);
+            session, "goes to room " + name + " of another server", " went to room " + name, nowNs);
       }
     }
     return true;

@@ -22,7 +22,6 @@ public final class Ownership {
   /** What clients are told of the fleet, by their doors; empty without one. */
   private final Map<Link.Door, ServerMessage.Fleet> servers = new ConcurrentHashMap<>();
 
-
   private Ownership(BooleanSupplier lease, long before) {
     this.lease = lease;
     this.before = before;
