@@ -10,7 +10,7 @@ import carom.server.directory.DirectoryException;
 import carom.server.metrics.Counter;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
-import carom.server.room.RoomWish;
+import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -668,7 +668,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public Place best(RoomWish wish, Link.Door door) {
+  public Place best(RoomSearch search, Link.Door door) {
     Place best = null;
     int most = -1;
     for (FleetView.OwnedRoom owned : view.rooms().values()) {
@@ -681,7 +681,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         continue;
       }
       Place place = place(record);
-      int fit = wish.fit(place.game(), place.taken(), place.places());
+      int fit = search.fit(place.game(), place.taken(), place.places());
       if (fit > most) {
         most = fit;
         best = place;

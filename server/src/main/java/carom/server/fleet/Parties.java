@@ -5,9 +5,9 @@ import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
 
 /**
- * Where the first members of parties go. Rooms tell which parties are in them a moment later; until
- * then an entry of the directory, which ends by itself, has all members go the same way. Any
- * thread.
+ * The rooms to which first members of parties go. Rooms tell which parties are in them a moment
+ * later; until then an entry of the directory, which ends by itself, has all members go the same
+ * way. Any thread.
  */
 final class Parties {
   private static final String PREFIX = "parties/";

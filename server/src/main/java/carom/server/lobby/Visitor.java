@@ -27,7 +27,7 @@ import carom.server.match.MatchInfo;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
-import carom.server.room.RoomWish;
+import carom.server.room.RoomSearch;
 import carom.server.session.Admission;
 import carom.server.session.LevelUpload;
 import carom.server.session.PacedMessages;
@@ -103,8 +103,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return new JoinRequest(name, account, room, game, party, resumeSecret, false);
     }
 
-    RoomWish wish() {
-      return new RoomWish(game, !party.isEmpty());
+    RoomSearch search() {
+      return new RoomSearch(game, !party.isEmpty());
     }
   }
 
@@ -160,7 +160,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** The room that the client waits for, which this server follows; or null. */
   private ClientMessage.Standby standby;
 
-  /** What a thin client said that may be here before its room, and so stands by; or null. */
+  /** The greeting of a thin client that may be here before its room, and stands by; or null. */
   private ClientMessage.Hello early;
 
   Visitor(LobbyContext context, Link link) {
@@ -704,7 +704,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
         waiting.room().isEmpty()
-            ? better(fleet.best(waiting.wish(), link.door()))
+            ? better(fleet.best(waiting.search(), link.door()))
             : fleet.find(waiting.room(), link.door());
     if (there == null) {
       return false;
@@ -726,16 +726,16 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Returns a place elsewhere if it is better than each one here, by the rules for rooms here. */
   private FleetDoor.Place better(FleetDoor.Place there) {
     Room here = bestHere();
-    RoomWish wish = waiting.wish();
+    RoomSearch search = waiting.search();
     return there == null
             || here == null
-            || wish.fit(there.game(), there.taken(), there.places()) > wish.fit(here)
+            || search.fit(there.game(), there.taken(), there.places()) > search.fit(here)
         ? there
         : null;
   }
 
   private Room bestHere() {
-    return directory.best(waiting.wish(), room -> !chooser.isOverloaded(room));
+    return directory.best(waiting.search(), room -> !chooser.isOverloaded(room));
   }
 
   /**
@@ -761,7 +761,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         return true;
       }
       if (settling == null) {
-        FleetDoor.Place there = better(fleet.best(waiting.wish(), link.door()));
+        FleetDoor.Place there = better(fleet.best(waiting.search(), link.door()));
         Room best = bestHere();
         if (there == null && best == null) {
           return false; // all are full

@@ -21,7 +21,7 @@ public interface FleetDoor {
         }
 
         @Override
-        public Place best(RoomWish wish, Link.Door door) {
+        public Place best(RoomSearch search, Link.Door door) {
           return null;
         }
 
@@ -105,7 +105,7 @@ public interface FleetDoor {
    *
    * @param door by which the client must reach it
    */
-  Place best(RoomWish wish, Link.Door door);
+  Place best(RoomSearch search, Link.Door door);
 
   /** Returns a room elsewhere in which a party has members and to which a door leads, or null. */
   String roomOfParty(String party, Link.Door door);

@@ -109,11 +109,11 @@ public final class RoomDirectory {
    *
    * @param takes whether a room takes newcomers; only open rooms are asked about
    */
-  public Room best(RoomWish wish, Predicate<Room> takes) {
+  public Room best(RoomSearch search, Predicate<Room> takes) {
     Room best = null;
     int most = -1;
     for (Room room : rooms) {
-      int fit = room.hasFailed() ? -1 : wish.fit(room);
+      int fit = room.hasFailed() ? -1 : search.fit(room);
       if (fit > most && takes.test(room)) {
         most = fit;
         best = room;

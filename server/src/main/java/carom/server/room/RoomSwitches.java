@@ -120,7 +120,7 @@ final class RoomSwitches {
     return friends != null && friends.seats().takenCount() < friends.seats().count()
         ? friends
         : directory.best(
-            new RoomWish(room.match().info().game(), !party.isEmpty()), other -> other != self);
+            new RoomSearch(room.match().info().game(), !party.isEmpty()), other -> other != self);
   }
 
   private void move(Session session, String name, long nowNs) {

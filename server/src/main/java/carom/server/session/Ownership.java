@@ -19,7 +19,7 @@ public final class Ownership {
   private final long before;
   private volatile long claim;
 
-  /** What clients are told of the fleet, by their doors; empty without one. */
+  /** The news of the fleet for clients, by their doors; empty without one. */
   private final Map<Link.Door, ServerMessage.Fleet> servers = new ConcurrentHashMap<>();
 
   private Ownership(BooleanSupplier lease, long before) {

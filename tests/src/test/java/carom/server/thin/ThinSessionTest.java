@@ -19,7 +19,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.room.FleetDoor;
-import carom.server.room.RoomWish;
+import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
 import carom.sim.Game;
 import carom.sim.Match;
@@ -314,7 +314,7 @@ final class ThinSessionTest {
     }
 
     @Override
-    public Place best(RoomWish wish, Link.Door door) {
+    public Place best(RoomSearch search, Link.Door door) {
       return find("9", door);
     }
 

@@ -1,12 +1,12 @@
 package carom.server.room;
 
 /**
- * What a newcomer who names no room looks for. Every server of a fleet compares rooms by it.
+ * The search of a newcomer who names no room. Every server of a fleet compares rooms by it.
  *
  * @param game name of the wanted game; empty for any
  * @param withFriends whether the other members of a party may follow the newcomer
  */
-public record RoomWish(String game, boolean withFriends) {
+public record RoomSearch(String game, boolean withFriends) {
   /** Places that a room should have for the friends who follow. */
   private static final int FRIENDS = 3;
 
