@@ -36,19 +36,19 @@ final class DeterminismTest {
       """
       STACK 429c1e025f2a29d3 2f8fd5b754627dcd
       PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
-      PILE 96a35bab318bb711 4bbeb6001e51a6b1
+      PILE 964faafe6ac5411f faad2a4b7b2cfb6f
       GAS 2eebf1ba2efa5eb cfd33dfff6e739ae
       SPIN d48e105aa520e5f6 d88655c879555dec
       NET b4b495a92dedba4e 11
-      JOINTS e87323ce682e0b1e 1ab3aac5a1d096d4
-      BELTS 8afd8d0ceb4d785e a3c46ec60c7ed8c4
+      JOINTS cd7ee0904c0d5eb8 78e69bc77880d903
+      BELTS 5fb390bcc7964f33 7e3906535740866a
       CHAINS 9820458dbc1a3ff0 90da526e9c2ed1c
-      ROUND c49be5a495364a59 6b43720ef88aaa00
-      BULLETS 8c1d71c49ed6e8ba f65fafa2624010a7
-      SLEEPERS 40e0fa97a2d37628 e4e7d8efdb2877a6
-      EDITS 3cc4fc1d15e199c9 aa0a39618880da14
+      ROUND 24a92d5a406da721 505a9062394a0853
+      BULLETS bb51965067cf1967 5f309de367f17ef4
+      SLEEPERS aa7f40b706d7e41 ed6523a5a12b2ae9
+      EDITS d88422a1d781f88e 58b2f4689b876316
       WATER 48e1ea68799ad3f0 38e15a463e82ec9a
-      EULER ed5c44126e27b9b7 e727027d52ac6fdc
+      EULER 5f8e94cf45f64eff 7637076c528c2b21
       """;
 
   @Test

@@ -113,7 +113,11 @@ final class Substeps {
       }
       if (jointsToo) {
         beforeJoints();
-        treeContacts.warmStart();
+        if (treeContacts.any()) {
+          treeContacts.warmStart();
+          afterJoints();
+          beforeJoints();
+        }
         jointSolver.warmStart(solverBodies);
         afterJoints();
       }

@@ -16,7 +16,7 @@ import carom.physics.settings.Settings;
  * Stops fast bodies at what they would pass through within a step. Runs when the solver is done:
  * the motion of each fast body, from its pose at the start of the step to that at the end, is swept
  * against what is in its way, and the body is put where it first comes close. It keeps the velocity
- * it had there; the contact of the next step answers the impact.
+ * it had there, without what gravity added since; the contact of the next step answers the impact.
  *
  * <p><b>Who is swept.</b> Dynamic bodies that move farther in the step than {@link #GATE} times
  * their inner radius, turning included: against static and kinematic parts; bullets against dynamic
@@ -193,7 +193,6 @@ public final class ContinuousCollision {
     float split = search.time();
     f.whole.at(split, hitPose);
     int body = parts.body[search.part()];
-    boolean bounces = bounces(f.body, search.part());
     target.of(body);
     endPose.set(hitPose);
     if (target.moves()) {
@@ -212,9 +211,7 @@ public final class ContinuousCollision {
     f.first.part(f.whole, 0, split);
     f.second.between(hitPose, endPose);
     f.split = split;
-    if (bounces) {
-      keepEnergy(f.body, (1 - split) * stepS);
-    }
+    keepEnergy(f.body, (1 - split) * stepS);
     int locks = bodies.linearLocks(f.body);
     bodies.x[f.body] = (locks & BodyStore.LOCK_X) == 0 ? endPose.x : hitPose.x;
     bodies.y[f.body] = (locks & BodyStore.LOCK_Y) == 0 ? endPose.y : hitPose.y;
@@ -240,22 +237,20 @@ public final class ContinuousCollision {
     return questions.stops(search.ownPart(), askedPose, search.part(), askedTarget);
   }
 
-  /** Returns whether a body may bounce off a part; what doesn't loses its energy there anyway. */
-  private boolean bounces(int body, int part) {
-    boolean any = parts.restitution[part] != 0;
-    int first = bodies.firstPart[body];
-    for (int own = first; own < first + bodies.partCount[body]; own++) {
-      any |= parts.restitution[own] != 0;
-    }
-    return any;
-  }
-
-  /** Takes off what gravity added to the speed on the way that the body is put back. */
+  /**
+   * Takes off what gravity added to the speed on the way that the body is put back, or else it has
+   * more energy than before. What contacts have taken already isn't taken again.
+   */
   private void keepEnergy(int body, float seconds) {
-    float scale = bodies.gravityScale[body] * seconds;
     int locks = bodies.linearLocks(body);
-    bodies.vx[body] -= (locks & BodyStore.LOCK_X) == 0 ? scale * settings.gravityX() : 0;
-    bodies.vy[body] -= (locks & BodyStore.LOCK_Y) == 0 ? scale * settings.gravityY() : 0;
+    float x = (locks & BodyStore.LOCK_X) == 0 ? bodies.gravityScale[body] * settings.gravityX() : 0;
+    float y = (locks & BodyStore.LOCK_Y) == 0 ? bodies.gravityScale[body] * settings.gravityY() : 0;
+    float falling = bodies.vx[body] * x + bodies.vy[body] * y;
+    if (falling > 0) {
+      float taken = Math.min(seconds, falling / (x * x + y * y));
+      bodies.vx[body] -= taken * x;
+      bodies.vy[body] -= taken * y;
+    }
   }
 
   /** Widens later searches if a body that was carried along left the box the tree knows of it. */

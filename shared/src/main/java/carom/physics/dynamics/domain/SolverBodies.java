@@ -52,7 +52,7 @@ public final class SolverBodies {
   private static final float MAX_TRANSLATION = 1e6f;
 
   /** Most turn of a body in a substep, rad; the series for the rotation is good up to here. */
-  private static final float MAX_ROTATION = 2;
+  public static final float MAX_ROTATION = 2;
 
   /** Quantities of all slots. */
   public float[] state = new float[0];

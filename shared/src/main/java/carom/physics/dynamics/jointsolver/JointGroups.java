@@ -1,5 +1,6 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.MAX_ROTATION;
 import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
 import static carom.physics.dynamics.domain.SolverBodies.VELOCITY;
 import static carom.physics.dynamics.domain.SolverBodies.VX;
@@ -37,6 +38,7 @@ import java.util.function.IntPredicate;
  *
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
+ * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy.
  *
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
@@ -49,6 +51,9 @@ final class JointGroups {
 
   /** Joints per body from which hinges are a net. */
   private static final float NET = 1.5f;
+
+  /** Most ratio of the masses of a group that isn't watched. */
+  private static final float EVEN = 4;
 
   /** Number of groups. */
   private int count;
@@ -75,6 +80,9 @@ final class JointGroups {
   private int[] tended = new int[0];
 
   private int tendedCount;
+
+  /** Most speed of turning with which bodies are moved, rad/s. */
+  private float mostSpin;
 
   /** Per tended body: x, y and turn of the change of its velocity by joints in this substep. */
   private double[] change = new double[0];
@@ -107,6 +115,11 @@ final class JointGroups {
 
   /** Per group: its joints, less those that its bodies would have in a net. */
   private float[] jointsOf = new float[0];
+
+  /** Per group: inverse mass of its lightest body and of its heaviest one, 1/kg. */
+  private float[] lightest = new float[0];
+
+  private float[] heaviest = new float[0];
 
   /** Per group: whether a tree solves joints of it. */
   private boolean[] hasTree = new boolean[0];
@@ -198,11 +211,16 @@ final class JointGroups {
         jointsOf[count] = 0;
         hasTree[count] = false;
         isFree[count] = true;
+        lightest[count] = 0;
+        heaviest[count] = Float.POSITIVE_INFINITY;
         groupAt[body[i]] = count++;
       }
     }
     for (int i = 0; i < bodyCount; i++) {
-      groupAt[body[i]] = groupAt[leader(body[i])];
+      int g = groupAt[leader(body[i])];
+      groupAt[body[i]] = g;
+      lightest[g] = Math.max(lightest[g], bodies.invMass[body[i]]);
+      heaviest[g] = Math.min(heaviest[g], bodies.invMass[body[i]]);
     }
     heldCount = 0;
     for (int i = 0; i < n; i++) {
@@ -222,6 +240,7 @@ final class JointGroups {
     }
     for (int g = 0; g < count; g++) {
       isPlain[g] &= !crowded[g] || jointsOf[g] >= 0;
+      isPlain[g] &= lightest[g] <= EVEN * heaviest[g];
     }
     sortBodies();
   }
@@ -260,6 +279,8 @@ final class JointGroups {
     isPlain = new boolean[capacity];
     crowded = new boolean[capacity];
     jointsOf = new float[capacity];
+    lightest = new float[capacity];
+    heaviest = new float[capacity];
     hasTree = new boolean[capacity];
     isFree = new boolean[capacity];
     isFed = new boolean[capacity];
@@ -350,8 +371,9 @@ final class JointGroups {
     return groupAt[isMovable(one) ? one : joints.bodyB[slot]];
   }
 
-  /** Begins a step: looks at masses, and at what gives groups energy. */
-  void beginStep(int[] slotOf) {
+  /** Begins a step of substeps of h seconds: looks at masses, and at what gives groups energy. */
+  void beginStep(int[] slotOf, float h) {
+    mostSpin = MAX_ROTATION / h;
     for (int i = 0; i < watched; i++) {
       int slot = body[i];
       place[i] = slotOf[slot];
@@ -425,14 +447,14 @@ final class JointGroups {
 
   /**
    * Weighs the impulses of the last substep, which were just applied, and takes back what adds
-   * energy. What a motor is to do counts as taken, and groups with a tree are left alone: its
-   * impulses follow.
+   * energy. What a motor is to do counts as taken. Trees without rows beside them are left alone.
    *
    * @param v state of the bodies
    * @param before velocities before
+   * @param response tells which trees contacts act on
    * @return whether the share of any group is below 1
    */
-  boolean weigh(float[] v, float[] before) {
+  boolean weigh(float[] v, float[] before, TreeResponse response) {
     for (int g = 0; g < count; g++) {
       product[g] = 0;
       square[g] = 0;
@@ -471,8 +493,14 @@ final class JointGroups {
         double py = momentumY[g];
         energy[g] = Math.max(energy[g] - 0.5 * (px * px + py * py) / weight[g], 0);
       }
-      share[g] = hasTree[g] || isCarried[g] || isPlain[g] ? 1 : share(product[g], square[g]);
+      boolean treeAlone = hasTree[g] && start[g] == start[g + 1];
+      share[g] = treeAlone || isCarried[g] || isPlain[g] ? 1 : share(product[g], square[g]);
       any |= share[g] < 1;
+    }
+    for (int i = 0; any && i < watched; i++) {
+      if (hasTree[groupOf[i]] && response.startsLate(body[i])) {
+        share[groupOf[i]] = 1; // what contacts begin with is in the change, too
+      }
     }
     if (any) {
       for (int i = 0; i < watched; i++) {
@@ -506,9 +534,23 @@ final class JointGroups {
 
   /** Notes what impulses changed. */
   void note(float[] v, float[] before) {
+    note(v, before, null);
+  }
+
+  /**
+   * Notes what impulses changed, but for bodies of trees that contacts have just acted on. Faster
+   * than bodies may turn they don't turn; else that would be cut as they move, and not be noted.
+   *
+   * @param response tells which these are; null for none
+   */
+  void note(float[] v, float[] before, TreeResponse response) {
     for (int i = 0; i < tendedCount; i++) {
+      if (response != null && response.isTouchedAt(body[tended[i]])) {
+        continue;
+      }
       int at = place[tended[i]] * STRIDE;
       int old = place[tended[i]] * VELOCITY;
+      v[at + W] = Math.max(-mostSpin, Math.min(v[at + W], mostSpin));
       change[3 * i] += (double) v[at + VX] - before[old + VX];
       change[3 * i + 1] += (double) v[at + VY] - before[old + VY];
       change[3 * i + 2] += (double) v[at + W] - before[old + W];
@@ -589,7 +631,7 @@ final class JointGroups {
   }
 
   /** Takes back what joints without springs and motors have added to the energy. */
-  void hold(float[] v, float[] before, TreeResponse response, IntPredicate torn) {
+  void hold(float[] v, float[] before, IntPredicate torn) {
     if (tendedCount == 0) {
       return;
     }
@@ -617,7 +659,7 @@ final class JointGroups {
       any |= share[g] < 1;
     }
     if (any) {
-      holdBack(v, response);
+      holdBack(v);
     }
   }
 
@@ -631,13 +673,7 @@ final class JointGroups {
     return false;
   }
 
-  private void holdBack(float[] v, TreeResponse response) {
-    for (int i = 0; i < tendedCount; i++) {
-      int member = tended[i];
-      if (hasTree[groupOf[member]] && response.isTouchedAt(body[member])) {
-        share[groupOf[member]] = 1; // what contacts did to a tree is in the change, too
-      }
-    }
+  private void holdBack(float[] v) {
     for (int i = 0; i < tendedCount; i++) {
       double back = 1 - share[groupOf[tended[i]]];
       if (back > 0) {

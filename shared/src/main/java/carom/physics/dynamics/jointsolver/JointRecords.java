@@ -98,6 +98,9 @@ final class JointRecords {
   /** Divisor of each visit of the spring. */
   static final int SPRING_SHARE = 38;
 
+  /** Gap of anchors, m, that only a teleport leaves. */
+  private static final float TORN = 16;
+
   /** Floats of a record. */
   static final int RECORD = 40;
 
@@ -144,6 +147,9 @@ final class JointRecords {
   /** Per joint: whether its group isn't watched, see {@link JointGroups}. */
   boolean[] plain = new boolean[0];
 
+  /** Per joint: whether it holds a point, so that its anchors belong together. */
+  private boolean[] pointed = new boolean[0];
+
   /** Per joint: whether its anchors were far apart in this step, so that all else has to wait. */
   boolean[] torn = new boolean[0];
 
@@ -176,6 +182,7 @@ final class JointRecords {
       bodyB = new int[n];
       inTree = new boolean[n];
       plain = new boolean[n];
+      pointed = new boolean[n];
       torn = new boolean[n];
       kind = new byte[n];
       sprung = new boolean[n];
@@ -213,6 +220,7 @@ final class JointRecords {
     bodyB[k] = f.offsetB;
     inTree[k] = tree;
     plain[k] = isPlain;
+    pointed[k] = j.type[slot] == JointStore.REVOLUTE || j.type[slot] == JointStore.WELD;
     torn[k] = false;
     sprung[k] = (j.flags[slot] & JointStore.SPRUNG) != 0;
     kind[k] = kindOf(j, slot, tree);
@@ -238,10 +246,10 @@ final class JointRecords {
     d[at + ANGLE_SIN] = relativeSin * j.refCos[slot] - relativeCos * j.refSin[slot];
   }
 
-  /** Returns whether the anchors of a joint, which is measured, are far apart. */
+  /** Returns whether the anchors of a joint, which is measured, are where only a teleport moves. */
   boolean isTorn(int k) {
     int at = k * RECORD;
-    return Math.abs(data[at + NOW_DX]) + Math.abs(data[at + NOW_DY]) > ConstraintRow.MAX_ERROR;
+    return pointed[k] && Math.abs(data[at + NOW_DX]) + Math.abs(data[at + NOW_DY]) > TORN;
   }
 
   private static byte kindOf(JointStore j, int slot, boolean tree) {

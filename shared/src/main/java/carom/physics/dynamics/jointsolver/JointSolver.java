@@ -186,7 +186,7 @@ public final class JointSolver {
       }
       listGroups();
     }
-    groups.beginStep(slotOf);
+    groups.beginStep(slotOf, h);
     parallel.run(0, count, GRAIN, packing);
     revolutes.ready();
     treeSolver.begin(j, bodyStore, slotOf, solverBodies.state, h, biasRate);
@@ -318,7 +318,8 @@ public final class JointSolver {
       revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
     }
-    if (groups.weigh(b.state, b.beforeJoints())) {
+    treeSolver.warmStart();
+    if (groups.weigh(b.state, b.beforeJoints(), treeSolver.response())) {
       for (int g = 0; g < groups.count(); g++) {
         for (int at = groups.start(g); groups.share(g) < 1 && at < groups.start(g + 1); at++) {
           int i = groups.joint(at);
@@ -329,8 +330,13 @@ public final class JointSolver {
           }
         }
       }
+      for (int t = 0; t < trees.count(); t++) {
+        float share = groups.share(groups.groupOfBody(trees.bodyOf(t)));
+        if (share < 1) {
+          treeSolver.scale(t, share);
+        }
+      }
     }
-    treeSolver.warmStart();
     groups.begin(b.state, b.beforeJoints());
   }
 
@@ -384,7 +390,7 @@ public final class JointSolver {
   /** Solves trees with contacts or welds once more before bodies move. */
   public void settle(SolverBodies b) {
     treeSolver.settle();
-    groups.note(b.state, b.beforeJoints());
+    groups.note(b.state, b.beforeJoints(), treeSolver.response());
   }
 
   /** Returns how the bodies of trees answer contacts. */
@@ -419,7 +425,7 @@ public final class JointSolver {
       visitMore(n, true, false);
       visitMore(n, false, false);
     }
-    groups.hold(b.state, b.beforeJoints(), treeSolver.response(), torn);
+    groups.hold(b.state, b.beforeJoints(), torn);
   }
 
   /** Returns whether the anchors of a joint, given by its index, are far apart. */

@@ -126,6 +126,11 @@ public final class TreeResponse {
     return body >= 0 && touched[treeOf[body]];
   }
 
+  /** Returns whether what contacts start with acts on the tree of a body as that is solved. */
+  public boolean startsLate(int bodySlot) {
+    return isTouchedAt(bodySlot) && records.hasRods[treeOf[trees.numberOf(bodySlot)]];
+  }
+
   /** Returns the number of a body in the trees, -1 if it is in none. */
   public int number(int bodySlot) {
     return trees.numberOf(bodySlot);

@@ -131,6 +131,17 @@ public final class TreeSolver {
     parallel.run(0, trees.count, 1, warming);
   }
 
+  /** Scales the impulses of a tree, of which only a share counts. */
+  public void scale(int t, double share) {
+    for (int i = trees.start[t]; i < trees.start[t + 1]; i++) {
+      joint[i * JOINT + PX] *= share;
+      joint[i * JOINT + PY] *= share;
+      if (weld[i]) {
+        records.welds.scale(i, share);
+      }
+    }
+  }
+
   /** Solves all joints before bodies move, with bias, which draws anchors together. */
   public void applyBiasedImpulses() {
     parallel.run(0, trees.count, 1, biasing);
@@ -199,7 +210,7 @@ public final class TreeSolver {
       joint[i * JOINT + PX] = 0;
       joint[i * JOINT + PY] = 0;
       if (weld[i]) {
-        records.welds.forget(i);
+        records.welds.scale(i, 0);
       }
     }
     if (response.isTouched(t)) {

@@ -134,9 +134,9 @@ final class TreeWelds {
     return angle[i * ANGLE + SWW];
   }
 
-  /** Forgets the angular impulse of a weld. */
-  void forget(int i) {
-    angle[i * ANGLE + PW] = 0;
+  /** Scales the impulse of a weld's angle. */
+  void scale(int i, double share) {
+    angle[i * ANGLE + PW] *= share;
   }
 
   /**
