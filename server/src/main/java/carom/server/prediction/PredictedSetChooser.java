@@ -28,8 +28,8 @@ import java.util.stream.IntStream;
  *   <li>what the player's input has spawned, wherever it is, with all that it touches;
  *   <li>what is close to the body or soon will be, the closest first, each with all that it
  *       touches; then what is close to the {@value #FOLLOWED} newest spawned ones; while the list
- *       is shorter than {@value #MOST_CLOSE}. An awake heap that doesn't fit into less than half of
- *       the list isn't chosen: a part of it would fall at the client at once;
+ *       is shorter than {@value #MOST_CLOSE}. An awake heap farther away that doesn't fit into less
+ *       than half of the list isn't chosen: a part of it would fall at the client at once;
  *   <li>all that joints hold together with one of these, directly or through others: bodies that
  *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
  *       cut if the own body touches it, and the client holds the bodies at the cut;
@@ -373,7 +373,8 @@ final class PredictedSetChooser {
       if (!lacksRoom) {
         addWithContacts(e);
       }
-      if (lacksRoom && e.body().awake() && 2 * (limit - first) < limit) {
+      boolean isFar = candidates.distance(i) > NEAR_METRES;
+      if (lacksRoom && isFar && e.body().awake() && 2 * (limit - first) < limit) {
         while (chosen.count() > first) {
           marks.leaveOut(chosen.removeLast().id());
         }
@@ -441,6 +442,10 @@ final class PredictedSetChooser {
 
     HostEntity get(int index) {
       return entities[index];
+    }
+
+    float distance(int index) {
+      return distances[index];
     }
 
     void clear() {

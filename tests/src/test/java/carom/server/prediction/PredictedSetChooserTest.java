@@ -29,7 +29,8 @@ final class PredictedSetChooserTest {
         """
         {"name": "crate", "at": [-19.5, %s], "material": "crate",
          "shape": {"type": "box", "width": 1, "height": 1},
-         "repeat": {"columns": 40, "step": [1, 0]}}""";
+         "repeat": {"columns": 40, "step": [1, 0]}}\
+        """;
     String json =
         """
         {"name": "rows", "game": "platformer", "gravity": [0, -26],
@@ -38,11 +39,11 @@ final class PredictedSetChooserTest {
          "spawns": [{"name": "player", "at": [0, 2]}, {"name": "flag", "at": [0, 55]}],
          "statics": [{"name": "floor", "at": [0, -1], "material": "crate",
            "shape": {"type": "box", "width": 60, "height": 2}},
-          {"name": "floor", "at": [0, 5], "material": "crate",
+          {"name": "floor", "at": [0, 7], "material": "crate",
            "shape": {"type": "box", "width": 60, "height": 1}}],
          "bodies": [%s, %s]}
         """
-            .formatted(row.formatted("0.5"), row.formatted("6"));
+            .formatted(row.formatted("0.5"), row.formatted("8"));
     Level level = Level.parse("rows.json", json.getBytes(StandardCharsets.UTF_8));
     simulation = new SimulationHost(Games.create("platformer"), level, 1, 60, Role.AUTHORITY);
     player = simulation.join("p");
