@@ -17,13 +17,18 @@ public final class PlaygroundBrain extends GradedBrain {
   private static final float HOVER = 2.7f; // over a tower, m
   private static final float DOWN = (float) (-Math.PI / 2);
   private static final int PATIENCE_TICKS = 240;
-  private static final int STUCK_TICKS = 75;
-  private static final int DETOUR_TICKS = 50;
+  private static final int STUCK_TICKS = 60;
+  private static final int DETOUR_TICKS = 45;
+  private static final int DROP_TICKS = 40; // over a basket, after which it lets go
+  private static final int IDLE_TICKS = 270; // without a higher tower, after which it carries
   private static final float WIDE = 40; // m within which it looks for things
 
   private Strength strength;
   private int waitUntil;
   private int grabbedAt;
+  private int overSince;
+  private int height;
+  private int higherAt;
   private int target = -1;
   private int targetSince;
   private float goalX;
@@ -33,6 +38,7 @@ public final class PlaygroundBrain extends GradedBrain {
   private float markY;
   private int markTick;
   private float detour; // radians
+  private int detourOf = -1; // the mark for which it was chosen
 
   /** Creates a bot of a strength that its random numbers choose, for the service loader. */
   public PlaygroundBrain() {
@@ -130,7 +136,11 @@ public final class PlaygroundBrain extends GradedBrain {
     float best = Float.MAX_VALUE;
     for (Level.Placement p : level.statics()) {
       float way = (float) Math.hypot(p.x() - s.own().x(), p.y() + 3 - s.own().y());
-      if (way < best && level.archetypes().get(p.archetype()).name().equals("basket")) {
+      boolean isBasket = level.archetypes().get(p.archetype()).name().equals("basket");
+      if (isBasket && way < best && isTaken(s, p)) {
+        way += 20;
+      }
+      if (isBasket && way < best) {
         best = way;
         goalX = p.x();
         goalY = p.y();
@@ -138,14 +148,34 @@ public final class PlaygroundBrain extends GradedBrain {
     }
     boolean isOver = Math.abs(goalX - s.own().x()) < 1.2f && s.own().y() > goalY + 2;
     fly(s, out, goalX, goalY + (isOver ? 2.4f : 7), 0.2f);
-    out.aim(DOWN).hold(Input.ACTION, s.tick() - grabbedAt < 2 * PATIENCE_TICKS);
+    overSince = isOver && s.own().y() < goalY + 3 ? Math.min(overSince, s.tick()) : s.tick();
+    boolean letsGo = s.tick() - overSince > DROP_TICKS;
+    target = letsGo ? -1 : target;
+    out.aim(DOWN).hold(Input.ACTION, !letsGo && s.tick() - grabbedAt < 2 * PATIENCE_TICKS);
+  }
+
+  /** Returns whether another robot is over a basket: two would push each other off. */
+  private static boolean isTaken(Senses s, Level.Placement basket) {
+    for (int i = 0; i < s.view().entityCount(); i++) {
+      Drawn e = s.view().entity(i);
+      boolean isOther = e.archetype().name().equals("robot") && e.id() != s.own().id();
+      if (isOther && Math.hypot(e.x() - basket.x(), e.y() - basket.y() - 3) < 4) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // ---- towers
 
   private void build(Senses s, Input out) {
-    if (s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
-      carry(s, out); // it has built what it can
+    if (s.player().get(PlaygroundFields.TOWER) != height || s.tick() < higherAt) {
+      height = s.player().get(PlaygroundFields.TOWER);
+      higherAt = s.tick();
+    }
+    boolean isIdle = (s.tick() - higherAt) % (2 * IDLE_TICKS) > IDLE_TICKS;
+    if (isIdle || s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
+      carry(s, out); // its tower fell, or it has built what it can
       return;
     }
     Level.Zone site = s.view().level().zones("site").get(0);
@@ -245,10 +275,24 @@ public final class PlaygroundBrain extends GradedBrain {
       markX = s.own().x();
       markY = s.own().y();
       markTick = s.tick();
-      detour = s.random().between(0, (float) (2 * Math.PI));
       return false;
     }
+    if (since > STUCK_TICKS && detourOf != markTick) {
+      detourOf = markTick;
+      detour = freeWay(s);
+    }
     return since > STUCK_TICKS;
+  }
+
+  /** Returns a direction in which no wall is near, if three tries find one, radians. */
+  private static float freeWay(Senses s) {
+    float way = 0;
+    boolean isFree = false;
+    for (int i = 0; i < 3 && !isFree; i++) {
+      way = s.random().between(0, (float) (2 * Math.PI));
+      isFree = !s.isWall(3 * (float) Math.cos(way), 3 * (float) Math.sin(way));
+    }
+    return way;
   }
 
   private void wander(Senses s, Input out) {

@@ -101,7 +101,7 @@ final class ExactUpdate {
 
   /**
    * Returns whether no update that was begun so far can put right a difference at a tick, though
-   * another has been begun since. Without this, a set that changes more often than news from the
+   * two have been begun since. Without this, a set that changes more often than news from the
    * client arrive would explain every difference for ever.
    */
   boolean isBeyondHelp(int tick) {
@@ -161,7 +161,7 @@ final class ExactUpdate {
    */
   void begin(EntityList near, boolean all) {
     boolean repeats = isDoubtful();
-    noteHelp(all, repeats);
+    noteHelp(all);
     noteUnconfirmed(repeats);
     if (all) {
       delivery.forgetEarlier();
@@ -190,12 +190,14 @@ final class ExactUpdate {
     delivery.begin(rows.count());
   }
 
-  /** Notes which differences the update that begins, and the one that it repeats, don't tell of. */
-  private void noteHelp(boolean all, boolean repeats) {
-    int sentTick = delivery.sentTick();
-    beyondHelpAfter = all ? Integer.MAX_VALUE : repeats ? earlierSentTick : sentTick;
-    beyondHelpUntil = repeats ? baseTick : simulation.tick();
-    earlierSentTick = all ? Integer.MAX_VALUE : sentTick;
+  /**
+   * Notes which differences two updates didn't put right. The one that begins may yet do so with
+   * those since the base of the one before, which it repeats, or whose list kept a newcomer out.
+   */
+  private void noteHelp(boolean all) {
+    beyondHelpAfter = all ? Integer.MAX_VALUE : earlierSentTick;
+    beyondHelpUntil = baseTick;
+    earlierSentTick = all ? Integer.MAX_VALUE : delivery.sentTick();
   }
 
   private boolean isChanged(EntityList near, int place) {

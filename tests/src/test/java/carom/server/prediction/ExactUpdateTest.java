@@ -152,18 +152,21 @@ class ExactUpdateTest {
   }
 
   @Test
-  void aDifferenceBeforeTheBaseOfAnUpdateIsNotPutRightByIt() {
+  void aDifferenceBetweenTwoUpdatesIsBeyondHelpWhenTheThirdBegins() {
     begin(2, false, true);
     final int sent = update.sentTick();
     send(3);
     acknowledge();
     final int base = simulation.tick() + 1;
     begin(3, false, true);
+    assertFalse(update.isBeyondHelp(sent + 1), "the second one may tell of it");
+    send(3);
+    begin(4, false, true);
     assertFalse(update.isBeyondHelp(sent), "of that tick the first one tells");
     assertTrue(update.isBeyondHelp(sent + 1));
     assertTrue(update.isBeyondHelp(base - 1));
     assertFalse(update.isBeyondHelp(base), "of that tick the second one tells");
-    begin(3, true, true);
+    begin(4, true, true);
     assertFalse(update.isBeyondHelp(base - 1), "all is told");
   }
 
