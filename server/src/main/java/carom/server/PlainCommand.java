@@ -44,7 +44,7 @@ import picocli.CommandLine.Spec;
       ""
     },
     footer = {"", "Exit codes: 0 they are written, 2 bad flag, or a game that can't be read."})
-public final class PlainCommand implements Callable<Integer> {
+final class PlainCommand implements Callable<Integer> {
   private static final String PACKAGE = "[a-z_][a-z0-9_]*(\\.[a-z_][a-z0-9_]*)*";
   private static final int TICK_RATE = 60;
 

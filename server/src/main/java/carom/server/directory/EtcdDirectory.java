@@ -23,7 +23,7 @@ import javax.net.ssl.SSLContext;
  * entry. An update names the revision that it replaces, so that a late attempt can't undo a newer
  * one. A repeated {@link #delete} that finds nothing can't know who deleted it, and throws.
  */
-public final class EtcdDirectory implements Directory {
+final class EtcdDirectory implements Directory {
   private static final String ROOT = "/carom/";
   private static final int PAGE = 500;
 

@@ -26,7 +26,7 @@ import java.util.concurrent.ThreadLocalRandom;
  * random mark, an update names the version that it replaces, and a repeated {@link #delete} that
  * finds nothing throws, as with {@link EtcdDirectory}.
  */
-public final class PostgresDirectory implements Directory {
+final class PostgresDirectory implements Directory {
   /** Holds for a lease whose time is over. */
   private static final String IS_PAST =
       "greatest(l.ends, pg_postmaster_start_time() + l.ttl) <= clock_timestamp()";

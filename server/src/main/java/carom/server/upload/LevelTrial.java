@@ -32,7 +32,7 @@ import java.util.Locale;
  * can be ended whatever the level makes the game do. It reads the file from standard input, and
  * writes a verdict of a few lines.
  */
-public final class LevelTrial {
+final class LevelTrial {
   /** First line of the verdict on a level that can be played; game and name follow. */
   static final String GOOD = "good";
 

@@ -1,16 +1,13 @@
 package carom.scenario.machine;
 
-import carom.physics.Body;
-import carom.physics.JointDef;
+import carom.fixtures.Cars;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
-import carom.physics.geometry.Circle;
 import carom.sim.Game;
 import carom.sim.Match;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.entity.Assembly;
-import carom.sim.entity.AssemblyDef;
 import carom.sim.entity.EntityJoint;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
@@ -87,21 +84,8 @@ final class CarRace implements Game {
   @Override
   public void setUp(SetUp s) {
     Material metal = new Material(1, 0.4f, 0.1f);
-    ArchetypeDef wheel =
-        new ArchetypeDef("wheel").shape(new Circle(0.45f), new Material(1, 1.2f, 0.1f));
-    car =
-        s.assembly(
-            new AssemblyDef("car")
-                .body("chassis", new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal), 0, 0)
-                .body("rear", wheel, -1, -0.6f)
-                .body("front", wheel, 1, -0.6f)
-                .joint("drive", "chassis", "rear", (a, b) -> axle(a, b, -1).motor(0, 40))
-                .joint("roll", "chassis", "front", (a, b) -> axle(a, b, 1)));
+    car = s.assembly(Cars.car(new ArchetypeDef("car").shape(new Box(1.4f, 0.3f), metal)));
     snap = s.event("snap", 0xffd166, 1, "snap");
-  }
-
-  private static JointDef<Object> axle(Body<Object> chassis, Body<Object> wheel, float x) {
-    return JointDef.wheel(chassis, wheel, x, -0.6f, 0, 1).limits(-0.3f, 0.3f).spring(4, 0.7f);
   }
 
   @Override

@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
  * The levels that players have sent to the server, among which those who play may choose, and the
  * player's own ones, which can be sent. Render thread only.
  */
-public final class PlayersLevelsPage implements Page {
+final class PlayersLevelsPage implements Page {
   private static final Path FOLDER = Path.of("levels");
   private static final long ASK_NS = TimeUnit.SECONDS.toNanos(1);
 
