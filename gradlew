@@ -64,6 +64,9 @@ debian() {
 
 has javac || [ -x "${JAVA_HOME:-/none}/bin/javac" ] || debian 'a Java compiler (javac)' default-jdk-headless
 
+# Gradle's process ends before the JVM's second compiler has earned what it costs.
+export GRADLE_OPTS="${GRADLE_OPTS--XX:TieredStopAtLevel=1 -XX:+UseSerialGC}"
+
 # The server greets a newcomer on a terminal; behind Gradle it can't see one itself.
 [ -t 1 ] && set -- -Pterminal "$@"
 

@@ -17,6 +17,9 @@ import java.util.regex.Pattern;
  * environment of its own. Closing it ends the processes that it started.
  */
 final class Installation implements AutoCloseable {
+  /** Flag of the JVM: most programs end before its second compiler has earned what it costs. */
+  private static final String QUICK = "-XX:TieredStopAtLevel=1";
+
   private static final Path PROGRAMS = Path.of(System.getProperty("carom.install"), "bin");
   private static final Pattern READY = Pattern.compile("ready tcp=(\\S+) udp=(\\S+)");
   private static final long MOST_SECONDS = 60;
@@ -103,6 +106,7 @@ final class Installation implements AutoCloseable {
     builder.directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile());
     builder.environment().remove("JAVA_TOOL_OPTIONS");
     builder.environment().putAll(environment);
+    builder.environment().merge("JAVA_OPTS", QUICK, (given, quick) -> given + " " + quick);
     Running running = new Running(builder.start(), output);
     started.add(running);
     return running;
