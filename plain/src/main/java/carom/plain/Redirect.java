@@ -8,6 +8,9 @@ public final class Redirect {
   /** Name of the room there. */
   public String room;
 
+  /** To be shown there as a join token; empty for the one you have. */
+  public String token;
+
   /** Creates one to be filled in. */
   public Redirect() {}
 }

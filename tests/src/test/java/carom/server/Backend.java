@@ -31,13 +31,22 @@ public final class Backend {
    * @param scratch gets the backend's key
    */
   public static EntryRule rule(Path scratch) throws Exception {
+    return rule(scratch, 0);
+  }
+
+  /**
+   * Returns a rule as {@link #rule(Path)} does.
+   *
+   * @param uses seats that an account may have at a time, 0 = any number
+   */
+  public static EntryRule rule(Path scratch, int uses) throws Exception {
     Path key = scratch.resolve("join.pem");
     Files.writeString(
         key,
         "-----BEGIN PUBLIC KEY-----\n"
             + Base64.getEncoder().encodeToString(KEYS.getPublic().getEncoded())
             + "\n-----END PUBLIC KEY-----\n");
-    JoinTokens tokens = JoinTokens.load(key, "us", 0, () -> Instant.ofEpochSecond(1_000));
+    JoinTokens tokens = JoinTokens.load(key, "us", uses, () -> Instant.ofEpochSecond(1_000));
     return new EntryRule() {
       @Override
       public Refusal refusal(String name, String account, String remote) {

@@ -32,6 +32,9 @@ import java.util.Map;
  * name is only shown, so it is {@linkplain PlayerName#fitted fitted}, never a reason to refuse.
  */
 public final class JoinTokens {
+  /** Tells the player of a token that counts no longer. */
+  public static final String USED = "The token has been used. Get another one.";
+
   private static final int SIGNATURE_BYTES = 64;
   private static final String ALGORITHM = "Ed25519";
   private static final int MAX_PEM_BYTES = 10_000;
@@ -93,6 +96,11 @@ public final class JoinTokens {
         : "Your account plays here already. After a lost connection its place is free in a moment.";
   }
 
+  /** Returns whether an account may have a limited number of seats. */
+  public boolean limitsSeats() {
+    return uses > 0;
+  }
+
   /**
    * Returns what a token says that others may have read on its way. It never counts again, whether
    * the player gets a place or not.
@@ -106,6 +114,16 @@ public final class JoinTokens {
       throw new BadTokenException("The server has no room for another token. Try again later.");
     }
     return result;
+  }
+
+  /** Returns the part of a token that {@link #check} has taken by which it is known again. */
+  public static String mark(String token) {
+    return token.substring(0, token.lastIndexOf('.'));
+  }
+
+  /** Returns how long a token is good that {@link #check} has taken, s. */
+  public long secondsLeft(String token) throws BadTokenException {
+    return (long) number(fields(token.split("\\.", -1)[1]), "exp") - now();
   }
 
   /**
@@ -150,7 +168,7 @@ public final class JoinTokens {
             text(claims, "sub"), PlayerName.fitted(text(claims, "name")), text(claims, "room"));
     requireUsable(result);
     if (spent.has(signed(parts))) {
-      throw new BadTokenException("The token has been used. Get another one.");
+      throw new BadTokenException(USED);
     }
     return result;
   }

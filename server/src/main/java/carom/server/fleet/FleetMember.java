@@ -482,6 +482,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
                   ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
                   : 0,
               room.seats().parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
+              accountsOf(room),
               room.settings(),
               room.entry());
       String value = record.toJson();
@@ -493,6 +494,15 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         }
       }
     }
+  }
+
+  private List<String> accountsOf(Room room) {
+    return !settings.limitsSeats()
+        ? List.of()
+        : room.seats().accounts().stream()
+            .limit(RoomRecord.MAX_ACCOUNTS)
+            .map(RoomRecord::hashed)
+            .toList();
   }
 
   /**
@@ -707,6 +717,39 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
+  public int roomsOf(String account) {
+    String hashed = RoomRecord.hashed(account);
+    int count = 0;
+    for (FleetView.OwnedRoom owned : view.rooms().values()) {
+      RoomRecord record = owned.record();
+      count += record.server() != lease.number() && record.accounts().contains(hashed) ? 1 : 0;
+    }
+    for (FleetView.Orphan orphan : view.orphans().values()) { // they go on in a moment
+      count += orphan.record().accounts().contains(hashed) ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Override
+  public Future<Boolean> seats(String account) {
+    return ask(
+        () ->
+            directory.create(HashedKey.of("seatings/", account), "", directory.lease(Lease.TTL_MS))
+                != 0);
+  }
+
+  @Override
+  public Future<Boolean> spend(String token, long seconds, boolean wasRead) {
+    String key = HashedKey.of("spent/", token);
+    int ttlMs = 1_000 * (int) Math.min(Integer.MAX_VALUE / 1_000, Math.max(2, seconds + 1));
+    return ask(
+        () ->
+            wasRead
+                ? directory.create(key, "", directory.lease(ttlMs)) != 0
+                : directory.get(key) == null);
+  }
+
+  @Override
   public boolean mayComeBack(String room) {
     return view.orphans().containsKey(room) || returning.contains(room);
   }
@@ -729,16 +772,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     return ask(
         () -> {
           ServerRecord server = view.servers().get(to.server());
-          if (server != null && door != Link.Door.OWN) {
-            return server.redirect(door, to.room());
+          if (server == null) {
+            return null;
           }
-          return server == null
-              ? null
-              : new ServerMessage.Move(
-                  server.address(),
-                  settings.fingerprint(),
-                  to.room(),
-                  tickets.make(to.server(), guest));
+          String ticket = tickets.make(to.server(), guest);
+          return door == Link.Door.OWN
+              ? new ServerMessage.Move(server.address(), settings.fingerprint(), to.room(), ticket)
+              : server.redirect(door, to.room(), ticket);
         });
   }
 

@@ -101,6 +101,7 @@ public final class FleetService implements AutoCloseable {
             play,
             plain,
             ServerKey.fingerprint(key.publicKey()),
+            config.get(ServerConfig.JOIN_KEY) != null && config.get(ServerConfig.TOKEN_USES) > 0,
             config.get(ServerConfig.ON_PARTITION) == ServerConfig.OnPartition.KEEP,
             (int) Math.round(100 * config.get(ServerConfig.MAX_LOAD)),
             Runtime.getRuntime().availableProcessors(),

@@ -11,6 +11,7 @@ import java.nio.file.Path;
  * @param play host and port of the play port, empty if other servers send nobody there
  * @param plain the same of the door for stock KryoNet
  * @param fingerprint of the fleet's key
+ * @param limitsSeats whether accounts may have a limited number of seats
  * @param keepsRooms whether rooms go on while the directory is away
  * @param maxLoadPercent load above which a room takes no newcomers, 0 for none
  * @param processors how many processors this server has
@@ -23,6 +24,7 @@ public record FleetSettings(
     String play,
     String plain,
     String fingerprint,
+    boolean limitsSeats,
     boolean keepsRooms,
     int maxLoadPercent,
     int processors,

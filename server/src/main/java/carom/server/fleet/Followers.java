@@ -282,7 +282,7 @@ final class Followers implements AutoCloseable {
     long to = claim.movesTo;
     ServerRecord server = view.servers().get(to);
     room.handOver(
-        door -> server == null ? null : server.redirect(door, claim.room()),
+        door -> server == null ? null : server.redirect(door, claim.room(), ""),
         () -> asks.execute(() -> giveAway(claim, room, to)));
   }
 

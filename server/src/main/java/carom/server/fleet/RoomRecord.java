@@ -21,6 +21,8 @@ import java.util.Map;
  * @param lag how many ticks its follower may lack, in steps of {@value #LAG_STEP}, so that the
  *     record rests while the follower keeps up
  * @param parties those that have a member there, at most {@value #MAX_PARTIES}
+ * @param accounts those that have a seat there, hashed, if the fleet limits their seats, at most
+ *     {@value #MAX_ACCOUNTS}
  * @param settings the room's settings, with which another server can go on with it
  * @param entry what lists of rooms show
  */
@@ -31,6 +33,7 @@ record RoomRecord(
     int load,
     int lag,
     List<String> parties,
+    List<String> accounts,
     RoomConfig settings,
     ServerMessage.RoomEntry entry) {
   /** Begins the keys of rooms in the directory. */
@@ -42,13 +45,23 @@ record RoomRecord(
   /** Most parties of which a record tells, so that it stays small. */
   static final int MAX_PARTIES = 128;
 
+  /** Most accounts of which a record tells, for the same reason. */
+  static final int MAX_ACCOUNTS = 512;
+
+  private static final int HASH_CHARACTERS = 11; // 66 bits
+
   static String key(String room) {
     return PREFIX + room;
   }
 
+  /** Returns what stands for an account in {@link #accounts}. */
+  static String hashed(String account) {
+    return HashedKey.of("", account).substring(0, HASH_CHARACTERS);
+  }
+
   /** Returns this record as that of a room that its owner gives up for a follower. */
   RoomRecord leaving(long forServer) {
-    return new RoomRecord(server, forServer, true, load, lag, parties, settings, entry);
+    return new RoomRecord(server, forServer, true, load, lag, parties, accounts, settings, entry);
   }
 
   /** Returns the record of a room that is claimed and not built yet. */
@@ -59,6 +72,7 @@ record RoomRecord(
         false,
         0,
         0,
+        List.of(),
         List.of(),
         settings,
         new ServerMessage.RoomEntry(
@@ -83,6 +97,9 @@ record RoomRecord(
           writeList(json, "levels", settings.levels());
           if (!parties.isEmpty()) {
             writeList(json, "parties", parties);
+          }
+          if (!accounts.isEmpty()) {
+            writeList(json, "accounts", accounts);
           }
           json.writeNumberField("places", settings.places());
           json.writeStringField("seed", String.valueOf(settings.seed()));
@@ -151,6 +168,7 @@ record RoomRecord(
         FleetJson.whole(json, "load"),
         FleetJson.whole(json, "lag"),
         list(json, "parties"),
+        list(json, "accounts"),
         settings,
         new ServerMessage.RoomEntry(
             settings.name(),

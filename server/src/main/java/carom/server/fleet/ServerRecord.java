@@ -38,10 +38,14 @@ record ServerRecord(
     };
   }
 
-  /** Returns what sends a client to a room there; null where the server has no such door. */
-  ServerMessage.Redirect redirect(Link.Door door, String room) {
+  /**
+   * Returns what sends a client to a room there; null where the server has no such door.
+   *
+   * @param ticket that lets the client in; empty for a client that has a seat there
+   */
+  ServerMessage.Redirect redirect(Link.Door door, String room, String ticket) {
     String there = address(door);
-    return there.isEmpty() ? null : new ServerMessage.Redirect(there, "", room, "");
+    return there.isEmpty() ? null : new ServerMessage.Redirect(there, "", room, ticket);
   }
 
   /** Returns the host of {@link #peer}. */

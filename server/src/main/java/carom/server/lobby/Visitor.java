@@ -154,6 +154,14 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** The room of the visitor's party, as soon as the fleet's directory has answered; or null. */
   private Future<String> settling;
 
+  /** Whether the join token counts, as the fleet's directory says; or null. */
+  private Future<Boolean> spending;
+
+  /** Whether the account may have its seat now, as the fleet's directory says; or null. */
+  private Future<Boolean> seating;
+
+  private boolean mayBeSeated;
+
   /** The level that the client sends instead of joining, or null. */
   private LevelIntake intake;
 
@@ -583,6 +591,15 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     try {
       JoinTokens.Token token =
           link.isPlainText() ? joinTokens.spend(hello.token()) : joinTokens.check(hello.token());
+      if (!isAlone()) {
+        spending =
+            directory
+                .fleet()
+                .spend(
+                    JoinTokens.mark(hello.token()),
+                    joinTokens.secondsLeft(hello.token()),
+                    link.isPlainText());
+      }
       return new JoinRequest(
           token.name().isEmpty() ? name : token.name(),
           token.account(),
@@ -644,6 +661,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       goThere();
       return;
     }
+    if (spending != null && !isTokenGood()) {
+      return;
+    }
     Room expecting = chooser.expecting(waiting.resumeSecret());
     if (expecting == null && isPartyAskedFor()) {
       return;
@@ -668,6 +688,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return;
     }
     String used = expecting == null ? accountInUse() : null;
+    if (expecting == null && used == null && !mayBeSeated()) {
+      if (late) {
+        refuse(RefusalReason.FLEET_UNSETTLED, "The fleet can't tell yet where your account plays.");
+      }
+      return;
+    }
     boolean allowed = used == null && context.rate().allows(origin.host(), context.nowNs());
     boolean full = false;
     if (allowed && expecting != null) {
@@ -807,10 +833,44 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     return directory.fleet() == FleetDoor.NONE;
   }
 
+  /** Returns whether the token counts in the whole fleet; refuses the visitor if it doesn't. */
+  private boolean isTokenGood() {
+    if (!spending.isDone() && context.nowNs() - waitsUntilNs < 0) {
+      return false;
+    }
+    Boolean counts = spending.isDone() ? FleetDoor.outcome(spending) : null;
+    if (counts == null) {
+      refuse(RefusalReason.FLEET_UNSETTLED, NO_DIRECTORY);
+    } else if (!counts) {
+      refuse(RefusalReason.TOKEN_INVALID, JoinTokens.USED);
+    }
+    spending = null;
+    return !done;
+  }
+
   /** Returns why the account may have no further seat, or null if it may. */
   private String accountInUse() {
     JoinTokens tokens = context.entryRule().tokens();
-    return tokens == null ? null : tokens.refusal(chooser.seatsOf(waiting.account()));
+    int elsewhere = tokens == null ? 0 : directory.fleet().roomsOf(waiting.account());
+    return tokens == null ? null : tokens.refusal(chooser.seatsOf(waiting.account()) + elsewhere);
+  }
+
+  /** Returns whether no other server of the fleet gives a limited account a seat at this moment. */
+  private boolean mayBeSeated() {
+    JoinTokens tokens = context.entryRule().tokens();
+    if (isAlone() || tokens == null || !tokens.limitsSeats() || mayBeSeated) {
+      return true;
+    }
+    if (seating == null && context.nowNs() - askAgainNs >= 0) {
+      askAgainNs = context.nowNs() + ASK_AGAIN_MS * NS_PER_MS;
+      seating = directory.fleet().seats(waiting.account());
+    }
+    if (seating != null && seating.isDone()) {
+      mayBeSeated = Boolean.TRUE.equals(FleetDoor.outcome(seating));
+      seating = null;
+      askAgainNs = mayBeSeated ? context.nowNs() : askAgainNs;
+    }
+    return mayBeSeated;
   }
 
   private void refuseFull(Room requested) {

@@ -36,6 +36,21 @@ public interface FleetDoor {
         }
 
         @Override
+        public int roomsOf(String account) {
+          return 0;
+        }
+
+        @Override
+        public Future<Boolean> seats(String account) {
+          throw new IllegalStateException("there is no fleet");
+        }
+
+        @Override
+        public Future<Boolean> spend(String token, long seconds, boolean wasRead) {
+          throw new IllegalStateException("there is no fleet");
+        }
+
+        @Override
         public boolean mayComeBack(String room) {
           return false;
         }
@@ -119,6 +134,28 @@ public interface FleetDoor {
    */
   Future<String> settle(String party, String room);
 
+  /** Returns in how many rooms elsewhere an account has a seat. */
+  int roomsOf(String account);
+
+  /**
+   * Asks to give an account a seat now, which the fleet lets one server do at a time: until the
+   * seat is told, {@link #roomsOf} doesn't know of it.
+   *
+   * @return whether this server may; null if the directory doesn't answer
+   */
+  Future<Boolean> seats(String account);
+
+  /**
+   * Asks whether a join token counts, which others haven't shown in the fleet where it could be
+   * read.
+   *
+   * @param token what is known of it
+   * @param seconds for which it is good
+   * @param wasRead whether others may have read it now: it never counts again
+   * @return the answer; null if the directory doesn't answer
+   */
+  Future<Boolean> spend(String token, long seconds, boolean wasRead);
+
   /**
    * Returns whether a room that nobody owns now has had an owner a moment ago, so that another
    * server may be about to go on with it.
@@ -130,8 +167,7 @@ public interface FleetDoor {
 
   /**
    * Makes a ticket for a player and returns what to send to its client; null if the directory
-   * doesn't answer. A client of another door than the own one needs no ticket: it shows there again
-   * what lets it in.
+   * doesn't answer.
    */
   Future<ServerMessage> move(Place to, Guest guest, Link.Door door);
 

@@ -253,6 +253,17 @@ public final class Seats {
     return count;
   }
 
+  /** Returns the accounts that have a seat, those with the lowest ids first. */
+  public synchronized Set<String> accounts() {
+    Set<String> accounts = new LinkedHashSet<>();
+    for (Seat seat : taken) {
+      if (seat != null && !seat.account.isEmpty()) {
+        accounts.add(seat.account);
+      }
+    }
+    return accounts;
+  }
+
   /** Returns how many members of a party have a seat. */
   public synchronized int membersOf(String party) {
     int count = 0;

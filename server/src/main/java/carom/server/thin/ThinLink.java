@@ -446,7 +446,7 @@ public abstract class ThinLink implements Link {
     } else if (message instanceof ServerMessage.Goodbye g) {
       tell(new ThinServerMessage.Goodbye(g.reason().name(), g.playerText()));
     } else if (message instanceof ServerMessage.Redirect r) {
-      tell(new ThinServerMessage.Redirect(r.server(), r.room()));
+      tell(new ThinServerMessage.Redirect(r.server(), r.room(), r.token()));
     } else if (message instanceof ServerMessage.Fleet f) {
       tell(new ThinServerMessage.Standby(f.standby()));
     } else if (message instanceof ServerMessage.Notice n) {

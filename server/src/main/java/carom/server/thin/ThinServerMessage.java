@@ -241,8 +241,14 @@ public sealed interface ThinServerMessage {
   /** Carries a message of the game: its kind's name, and its values by name. */
   record Custom(String kind, Map<String, Object> values) implements ThinServerMessage {}
 
-  /** Sends the client to another server, {@code host:port}; the link closes after it. */
-  record Redirect(String server, String room) implements ThinServerMessage {}
+  /**
+   * Sends the client to another server; the link closes after it.
+   *
+   * @param server {@code host:port}
+   * @param room to ask for there
+   * @param token to show there as a join token; empty for the one that the client has
+   */
+  record Redirect(String server, String room, String token) implements ThinServerMessage {}
 
   /**
    * Says where the room goes on if this server is lost: {@code host:port}, empty for nowhere. The

@@ -78,7 +78,7 @@ class FleetProcessTest {
     return folder.resolve(name + ".log");
   }
 
-  private void start(String name) throws Exception {
+  private void start(String name, String... more) throws Exception {
     List<String> command = Jvm.command(ServerMain.class);
     command.addAll(List.of("--fleet", fleet(), "--fleet-key", key().toString()));
     command.addAll(List.of("--advertise", "127.0.0.1", "--fleet-port", "0"));
@@ -86,6 +86,7 @@ class FleetProcessTest {
     command.addAll(List.of("--max-players", "2", "--data", folder.resolve(name).toString()));
     command.addAll(List.of("--no-web", "--no-query", "--log-keep", "0", "--max-load", "0"));
     command.addAll(List.of("--play-port", "0"));
+    command.addAll(List.of(more));
     Process server = new ProcessBuilder(command).redirectError(log(name).toFile()).start();
     servers.put(name, server);
     server.getOutputStream().close();
@@ -194,11 +195,13 @@ class FleetProcessTest {
     assertTrue(program != null || System.getenv("CI") == null, "CI has no Chromium");
     assumeTrue(program != null, "no Chromium");
     etcd = new EtcdProgram(folder, "http");
-    start("a");
-    start("b");
+    Path password = Files.writeString(folder.resolve("password"), "open sesame, open\n");
+    start("a", "--password-file", password.toString());
+    start("b", "--password-file", password.toString());
     try (Chromium browser = Chromium.start(program, folder.resolve("profile"))) {
       browser.open(page("a") + "#room=2&party=duo"); // b's room: a sends the page there
       browser.await("window.caromPlay");
+      browser.evaluate("document.getElementById('password').value = 'open sesame, open'");
       browser.evaluate("document.getElementById('name').value = 'Zo\u00eb'");
       browser.click("document.getElementById('go')");
       String there = "location.href.startsWith('%s') && window.caromPlay && caromPlay.world.own";

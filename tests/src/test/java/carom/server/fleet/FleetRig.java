@@ -136,6 +136,7 @@ public final class FleetRig implements AutoCloseable {
               name + ":2",
               "",
               "fleet",
+              true,
               false,
               0,
               2,
@@ -357,8 +358,12 @@ public final class FleetRig implements AutoCloseable {
 
   /** Adds a client of a party that joins at a server. */
   GameClient client(String name, String server, String party) {
-    ClientConfig config =
-        ClientConfig.of(name).withServer(server, 1, 1).with(ClientConfig.PARTY, party);
+    return client(ClientConfig.of(name).with(ClientConfig.PARTY, party), server);
+  }
+
+  /** Adds a client that joins at a server. */
+  GameClient client(ClientConfig own, String server) {
+    ClientConfig config = own.withServer(server, 1, 1);
     GameClient client = new GameClient(config, new Roads(), new Bot(clients.size()), () -> 0);
     clients.add(client);
     return client;

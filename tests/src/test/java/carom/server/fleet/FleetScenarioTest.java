@@ -7,8 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.link.ConnectionPhase;
+import carom.server.Backend;
+import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.room.Room;
 import java.nio.file.Path;
@@ -144,6 +147,58 @@ class FleetScenarioTest {
       rig.run(2);
       String message = fifth.view().message();
       assertTrue(message.contains("Your party is in room " + room + "."), message);
+    }
+  }
+
+  @Test
+  void anAccountHasOneSeatInTheWholeFleet() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 2)) {
+      for (String name : List.of("a", "b")) {
+        rig.node(name, 1).server.admit(Backend.rule(folder, 1));
+      }
+      rig.run(1);
+      for (String room : List.of("1", "2")) { // at the same moment
+        ClientConfig config =
+            ClientConfig.of("twin" + room)
+                .with(ClientConfig.ROOM, room)
+                .with(ClientConfig.TOKEN, Backend.token("one"));
+        rig.client(config, "a");
+      }
+      rig.run(4);
+      GameClient first = rig.clients.get(0);
+      GameClient second = rig.clients.get(1);
+      boolean isFirst = first.view().phase() == ConnectionPhase.PLAYING;
+      String refused = (isFirst ? second : first).view().message();
+      assertTrue(refused.contains("plays here already"), refused);
+      assertEquals(ConnectionPhase.PLAYING, (isFirst ? first : second).view().phase());
+      (isFirst ? first : second).close();
+      rig.run(3);
+      ClientConfig again =
+          ClientConfig.of("again")
+              .with(ClientConfig.ROOM, isFirst ? "2" : "1")
+              .with(ClientConfig.TOKEN, Backend.token("one"));
+      GameClient third = rig.client(again, "b");
+      rig.run(3);
+      assertEquals(ConnectionPhase.PLAYING, third.view().phase(), () -> third.view().message());
+    }
+  }
+
+  @Test
+  void aTokenThatOthersMayHaveReadCountsOnceInTheWholeFleet() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 2)) {
+      for (String name : List.of("a", "b")) {
+        rig.node(name, 1).server.admit(Backend.rule(folder));
+      }
+      rig.run(1);
+      String token = Backend.token("one");
+      assertTrue(rig.nodes.get("a").member.spend(JoinTokens.mark(token), 60, true).get());
+      assertFalse(rig.nodes.get("b").member.spend(JoinTokens.mark(token), 60, true).get());
+      GameClient thief = rig.client(ClientConfig.of("thief").with(ClientConfig.TOKEN, token), "b");
+      GameClient other =
+          rig.client(ClientConfig.of("other").with(ClientConfig.TOKEN, Backend.token("two")), "b");
+      rig.run(3);
+      assertTrue(thief.view().message().contains(JoinTokens.USED), thief.view().message());
+      assertEquals(ConnectionPhase.PLAYING, other.view().phase());
     }
   }
 

@@ -329,6 +329,21 @@ final class ThinSessionTest {
     }
 
     @Override
+    public int roomsOf(String account) {
+      return 0;
+    }
+
+    @Override
+    public Future<Boolean> seats(String account) {
+      return CompletableFuture.completedFuture(true);
+    }
+
+    @Override
+    public Future<Boolean> spend(String token, long seconds, boolean wasRead) {
+      return CompletableFuture.completedFuture(true);
+    }
+
+    @Override
     public boolean mayComeBack(String room) {
       return false;
     }

@@ -105,6 +105,7 @@ final class PlainEncoder {
       begin = begin(out, PlainIds.REDIRECT);
       out.text(m.room());
       out.text(m.server());
+      out.text(m.token());
     } else if (message instanceof ThinServerMessage.Standby m) {
       begin = begin(out, PlainIds.STANDBY);
       out.text(m.server());

@@ -81,6 +81,7 @@ const link = new Thin({
   state: text => { $('state').textContent = text; $('state').hidden = !text; },
   end,
 });
+let ticket = linked('ticket'); // that lets the player in here, once
 let best = null, bestAsked = 0, fresh = true, menuIsForced = true, worn = '';
 const usualKeys = $('keys').textContent;
 picture.onBlow = (effects, x, y, share) => sounds.effects(effects, {x, y}, share, picture.camera.x, picture.camera.y);
@@ -102,9 +103,9 @@ async function wear(game) {
 }
 
 /** Goes to another server, with the seat: whose page takes it from the link, as no other page can read this one's. */
-function follow({server, room: there = room}) {
+function follow({server, room: there = room, token: ticket}) {
   sessionStorage.removeItem(SEAT);
-  const words = {room: there, name: $('name').value, seat: link.secret, token: linked('token'), party: linked('party')};
+  const words = {room: there, name: $('name').value, seat: link.secret, token: linked('token'), ticket, party: linked('party')};
   for (const word of Object.keys(words)) if (!words[word]) delete words[word];
   location.href = `${location.protocol}//${server}/play#${new URLSearchParams(words)}`;
 }
@@ -140,7 +141,8 @@ function join(secret) {
   $('state').textContent = 'Joining ...';
   $('state').hidden = false;
   link.join({name, room: room || undefined, party: linked('party') || undefined, password: $('password').value || undefined,
-    token: linked('token') || undefined, secret});
+    token: linked('token') || undefined, secret}, ticket);
+  ticket = '';
 }
 
 function showMenu(on) {
@@ -397,8 +399,7 @@ if (linked('name')) { // this page goes on for one of another server
   $('name').value = linked('name');
   sessionStorage.setItem(SEAT, JSON.stringify({secret: linked('seat') || undefined, name: linked('name')}));
   const words = new URLSearchParams(location.hash.slice(1));
-  words.delete('name');
-  words.delete('seat'); // which is the player's alone
+  for (const word of ['name', 'seat', 'ticket']) words.delete(word); // which are this player's alone
   history.replaceState(null, '', `#${words}`);
 }
 const seat = JSON.parse(sessionStorage.getItem(SEAT) || 'null');

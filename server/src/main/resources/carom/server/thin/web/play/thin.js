@@ -29,9 +29,10 @@ export class Thin {
     };
   }
 
-  /** Joins; after a loss it comes back to its seat by itself until `close`. */
-  join(values) {
+  /** Joins, the first time with a ticket; after a loss it comes back to its seat by itself until `close`. */
+  join(values, ticket) {
     this.joining = values;
+    this.ticket = ticket;
     this.secret = values.secret || '';
     this.wait = FIRST_WAIT_MS;
     this.losses = 0;
@@ -47,7 +48,10 @@ export class Thin {
     const socket = this.socket = new WebSocket(address());
     socket.binaryType = 'arraybuffer';
     this.heardMs = performance.now();
-    socket.onopen = () => this.say('join', {version: 1, binary: true, ...this.joining, secret: this.secret || undefined});
+    socket.onopen = () => {
+      this.say('join', {version: 1, binary: true, ...this.joining, token: this.ticket || this.joining.token, secret: this.secret || undefined});
+      this.ticket = '';
+    };
     socket.onmessage = e => {
       if (socket !== this.socket) return;
       this.heardMs = performance.now();
