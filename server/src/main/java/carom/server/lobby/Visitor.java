@@ -154,10 +154,10 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** The room of the visitor's party, as soon as the fleet's directory has answered; or null. */
   private Future<String> settling;
 
-  /** Whether the join token counts, as the fleet's directory says; or null. */
+  /** The fleet's answer whether the join token counts; or null. */
   private Future<Boolean> spending;
 
-  /** Whether the account may have its seat now, as the fleet's directory says; or null. */
+  /** The fleet's answer whether the account may have its seat now; or null. */
   private Future<Boolean> seating;
 
   private boolean mayBeSeated;
