@@ -33,7 +33,8 @@ final class AssemblyLawTest {
 
   @Test
   void sprungAssembliesGainNoEnergy() {
-    hold(Kind.SPRUNG, 10, 500, 5, AssemblyLawTest::gain);
+    hold(Kind.SPRUNG, 10, 250, 1, AssemblyLawTest::gain);
+    hold(Kind.SPRUNG, 10_000, 250, 2, AssemblyLawTest::gain);
   }
 
   @Test

@@ -1,5 +1,7 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.DX;
+import static carom.physics.dynamics.domain.SolverBodies.DY;
 import static carom.physics.dynamics.domain.SolverBodies.MAX_ROTATION;
 import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
 import static carom.physics.dynamics.domain.SolverBodies.VELOCITY;
@@ -34,7 +36,9 @@ import java.util.function.IntPredicate;
  * </ul>
  *
  * <p>With the velocities v before, their change u and the masses M, a share s of u changes the
- * energy by {@code s (u M v) + s^2 (u M u) / 2}. Each share keeps the momenta, as u does.
+ * energy by {@code s (u M v) + s^2 (u M u) / 2}. Each share keeps the momenta, as u does. What
+ * springs have got in the substep is added before a change is held back. Where no share is enough,
+ * all of a group is slowed, relative to a rigid body that moves freely.
  *
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
@@ -127,8 +131,14 @@ final class JointGroups {
   /** Per group: whether it isn't held by what can't be moved. */
   private boolean[] isFree = new boolean[0];
 
-  /** Per group: whether springs or motors may give it energy. */
+  /** Per group: whether motors may give it energy, or what draws a body to a point. */
   private boolean[] isFed = new boolean[0];
+
+  /** Per group: whether it has springs and isn't fed. */
+  private boolean[] isSprung = new boolean[0];
+
+  /** Per group: energy that its springs have got in this substep, J. */
+  private double[] stored = new double[0];
 
   /** Per group: whether it gets more visits already where these change little. */
   private boolean[] isFine = new boolean[0];
@@ -284,6 +294,8 @@ final class JointGroups {
     hasTree = new boolean[capacity];
     isFree = new boolean[capacity];
     isFed = new boolean[capacity];
+    isSprung = new boolean[capacity];
+    stored = new double[capacity];
     isFine = new boolean[capacity];
     isCarried = new boolean[capacity];
     more = new boolean[capacity];
@@ -383,22 +395,27 @@ final class JointGroups {
     motors = 0;
     for (int g = 0; g < count; g++) {
       isFed[g] = false;
+      isSprung[g] = false;
       isFine[g] = false;
       isCarried[g] = false;
       for (int at = start[g]; !isPlain[g] && at < start[g + 1]; at++) {
         int slot = slots[joint[at]];
-        isFed[g] |= joints.hasSpring(slot);
+        isSprung[g] |= joints.hasSpring(slot);
+        isFed[g] |= joints.type[slot] == JointStore.MOUSE;
         if ((joints.flags[slot] & JointStore.DRIVEN) != 0 && joints.motorSpeed[slot] != 0) {
           isFed[g] = true;
           motor[motors++] = slot;
         }
-        isFine[g] |= isFed[g] || joints.isCoupled(slot);
+        isFine[g] |= isFed[g] || isSprung[g] || joints.isCoupled(slot);
       }
     }
     for (int i = 0; i < heldCount; i++) {
       if (isMoving(joints.bodyA[held[i]]) || isMoving(joints.bodyB[held[i]])) {
         isCarried[groupOfJoint(held[i])] = true;
       }
+    }
+    for (int g = 0; g < count; g++) {
+      isSprung[g] &= !isFed[g] && !isCarried[g];
     }
     tendedCount = 0;
     for (int i = 0; i < watched; i++) {
@@ -433,6 +450,16 @@ final class JointGroups {
   /** Returns the share of the old impulses with which a group starts, 0 to 1. */
   float share(int group) {
     return (float) share[group];
+  }
+
+  /** Returns whether a group has springs, and its energy is held. */
+  boolean isSprung(int group) {
+    return isSprung[group];
+  }
+
+  /** Adds to what the springs of a group have got since {@link #hold} was called, J. */
+  void addStored(int group, double joules) {
+    stored[group] += joules;
   }
 
   /** Returns whether a joint is of a group that isn't watched. */
@@ -524,6 +551,22 @@ final class JointGroups {
   /** Returns the largest share with which energy doesn't grow. */
   private static double share(double product, double square) {
     return 2 * product + square <= 0 ? 1 : Math.max(-2 * product / square, 0);
+  }
+
+  /**
+   * Returns the largest share with which energy doesn't grow, or that with which it grows least.
+   *
+   * @param more energy that has grown already, J, or has fallen
+   */
+  private static double share(double product, double square, double more) {
+    if (more == 0) {
+      return share(product, square);
+    }
+    if (square == 0 || 2 * (product + more) + square <= 0) {
+      return 1;
+    }
+    double root = Math.sqrt(Math.max(product * product - 2 * square * more, 0));
+    return Math.max(0, Math.min((root - product) / square, 1));
   }
 
   /** Notes what the first impulses of a substep changed. */
@@ -630,7 +673,7 @@ final class JointGroups {
     return pair < pairs[group];
   }
 
-  /** Takes back what joints without springs and motors have added to the energy. */
+  /** Takes back what joints without motors have added to the energy, that of springs included. */
   void hold(float[] v, float[] before, IntPredicate torn) {
     if (tendedCount == 0) {
       return;
@@ -652,11 +695,14 @@ final class JointGroups {
     }
     boolean any = false;
     for (int g = 0; g < count; g++) {
-      share[g] = isFed[g] || isCarried[g] ? 1 : share(product[g], square[g]);
+      boolean held = !isFed[g] && !isCarried[g];
+      share[g] = held ? share(product[g], square[g], stored[g]) : 1;
       if (share[g] < 1 && isTorn(g, torn)) {
         share[g] = 1;
       }
       any |= share[g] < 1;
+      double left = share[g] * (product[g] + 0.5 * share[g] * square[g]) + stored[g];
+      stored[g] = share[g] < 1 && isSprung[g] ? Math.max(left, 0) : 0;
     }
     if (any) {
       holdBack(v);
@@ -681,6 +727,76 @@ final class JointGroups {
         v[at + VX] -= (float) (back * change[3 * i]);
         v[at + VY] -= (float) (back * change[3 * i + 1]);
         v[at + W] -= (float) (back * change[3 * i + 2]);
+      }
+    }
+    for (int g = 0; g < count; g++) {
+      if (stored[g] > 0) {
+        slow(g, stored[g], v);
+        stored[g] = 0;
+      }
+    }
+  }
+
+  /**
+   * Takes energy out of the motion of a group, as far as there is any. Of one that moves freely
+   * only the motion relative to a rigid body counts, and so the momenta stay.
+   */
+  private void slow(int g, double joules, float[] v) {
+    double m = 0;
+    double x = 0;
+    double y = 0;
+    double px = 0;
+    double py = 0;
+    for (int i = 0; isFree[g] && i < tendedCount; i++) {
+      int member = tended[i];
+      if (groupOf[member] == g) {
+        int at = place[member] * STRIDE;
+        m += mass[member];
+        x += mass[member] * ((double) bodies.x[body[member]] + v[at + DX]);
+        y += mass[member] * ((double) bodies.y[body[member]] + v[at + DY]);
+        px += mass[member] * v[at + VX];
+        py += mass[member] * v[at + VY];
+      }
+    }
+    double vx = m > 0 ? px / m : 0;
+    double vy = m > 0 ? py / m : 0;
+    x = m > 0 ? x / m : 0;
+    y = m > 0 ? y / m : 0;
+    double turning = 0;
+    double moment = 0;
+    for (int i = 0; isFree[g] && i < tendedCount; i++) {
+      int member = tended[i];
+      if (groupOf[member] == g) {
+        int at = place[member] * STRIDE;
+        double rx = bodies.x[body[member]] + v[at + DX] - x;
+        double ry = bodies.y[body[member]] + v[at + DY] - y;
+        moment += mass[member] * (rx * (v[at + VY] - vy) - ry * (v[at + VX] - vx));
+        moment += inertia[member] * v[at + W];
+        turning += mass[member] * (rx * rx + ry * ry) + inertia[member];
+      }
+    }
+    double spin = turning > 0 ? moment / turning : 0;
+    double sum = 0;
+    for (int i = 0; i < tendedCount; i++) {
+      int member = tended[i];
+      if (groupOf[member] == g) {
+        int at = place[member] * STRIDE;
+        double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
+        double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
+        double uw = v[at + W] - spin;
+        sum += 0.5 * (mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw);
+      }
+    }
+    double lost = sum > 0 ? 1 - Math.sqrt(Math.max(1 - joules / sum, 0)) : 0;
+    for (int i = 0; i < tendedCount; i++) {
+      int member = tended[i];
+      if (groupOf[member] == g) {
+        int at = place[member] * STRIDE;
+        double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
+        double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
+        v[at + VX] -= (float) (lost * ux);
+        v[at + VY] -= (float) (lost * uy);
+        v[at + W] -= inertia[member] > 0 ? (float) (lost * (v[at + W] - spin)) : 0;
       }
     }
   }

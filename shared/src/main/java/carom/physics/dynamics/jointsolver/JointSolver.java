@@ -314,6 +314,7 @@ public final class JointSolver {
 
   /** Applies the impulses of the last substep, or the last step, as far as they add no energy. */
   public void warmStart(SolverBodies b) {
+    addSprings(-1);
     for (int c = 0; c < colours; c++) {
       revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
@@ -425,7 +426,20 @@ public final class JointSolver {
       visitMore(n, true, false);
       visitMore(n, false, false);
     }
+    addSprings(1);
     groups.hold(b.state, b.beforeJoints(), torn);
+  }
+
+  /** Adds what the springs of groups hold, whose energy is held, with a sign. */
+  private void addSprings(int sign) {
+    for (int g = 0; g < groups.count(); g++) {
+      for (int at = groups.start(g); groups.isSprung(g) && at < groups.start(g + 1); at++) {
+        int i = groups.joint(at);
+        if (store.hasSpring(found[i])) {
+          groups.addStored(g, sign * visits[0].springEnergy(place[i], sign > 0));
+        }
+      }
+    }
   }
 
   /** Returns whether the anchors of a joint, given by its index, are far apart. */

@@ -627,6 +627,69 @@ final class JointVisit extends ConstraintRow {
     return store.type[slot] == JointStore.MOTOR && (store.flags[slot] & JointStore.DRIVEN) != 0;
   }
 
+  /**
+   * Returns the energy that a joint's springs hold, J. Symplectic steps don't keep that, but what
+   * they run ahead by half a substep is taken off.
+   *
+   * @param moved whether bodies have moved since springs were visited with bias
+   */
+  double springEnergy(int k, boolean moved) {
+    JointStore j = store;
+    int slot = joints.joint[k];
+    load(k);
+    double sum = 0;
+    if ((j.flags[slot] & JointStore.SPRUNG) != 0) {
+      double q = springCoordinate(k, slot) - j.rest[slot];
+      q = moved && j.type[slot] == JointStore.REVOLUTE ? unwound(q, joints.stretchX[k]) : q;
+      sum += heldBy(springMass(slot), q, j.hertz[slot], rowSpeed());
+    } else if (j.hertz[slot] > 0) {
+      actAtB();
+      float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
+      float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
+      float inverse = mA + mB + 0.5f * iA * (rAx * rAx + rAy * rAy);
+      inverse += 0.5f * iB * (rBx * rBx + rBy * rBy);
+      float mean = inverse > 0 ? 1 / inverse : 0;
+      sum += heldBy(mean, dx, j.hertz[slot], vx) + heldBy(mean, dy, j.hertz[slot], vy);
+    }
+    if (j.angularHertz[slot] > 0) {
+      angleRow();
+      double q = moved ? unwound(angle(k), joints.stretchW[k]) : angle(k);
+      sum += heldBy(mass, q, j.angularHertz[slot], rowSpeed());
+    }
+    return sum;
+  }
+
+  /**
+   * Returns an angle as the one within half a turn of another: a cut of half a turn does no work.
+   */
+  private static double unwound(double angle, double from) {
+    return angle - from > Math.PI
+        ? angle - TWO_PI
+        : from - angle > Math.PI ? angle + TWO_PI : angle;
+  }
+
+  /** Makes the row of a spring's coordinate, and returns that. */
+  private double springCoordinate(int k, int slot) {
+    switch (store.type[slot]) {
+      case JointStore.REVOLUTE -> {
+        angleRow();
+        return store.winds(slot) ? store.windB(slot, angle(k)) : angle(k);
+      }
+      case JointStore.PULLEY -> {
+        return pulleyRow(slot);
+      }
+      default -> {
+        return firstRow(k);
+      }
+    }
+  }
+
+  private double heldBy(double m, double stretch, float hertz, double speed) {
+    double oh = swing(hertz);
+    double pull = m * oh * oh * inverseH * inverseH * stretch;
+    return 0.5 * pull * (oh > SYMPLECTIC_LIMIT ? stretch : stretch - h * speed);
+  }
+
   /** Brings the angle to rest relative to A, by limited torque. */
   private void solveFrictionAngle(int slot) {
     JointStore j = store;
