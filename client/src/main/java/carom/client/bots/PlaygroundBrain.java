@@ -20,7 +20,7 @@ public final class PlaygroundBrain extends GradedBrain {
   private static final int STUCK_TICKS = 60;
   private static final int DETOUR_TICKS = 45;
   private static final int DROP_TICKS = 40; // over a basket, after which it lets go
-  private static final int IDLE_TICKS = 270; // without a higher tower, after which it carries
+  private static final int IDLE_TICKS = 200; // without a higher tower, after which it carries
   private static final float WIDE = 40; // m within which it looks for things
 
   private Strength strength;
@@ -110,12 +110,13 @@ public final class PlaygroundBrain extends GradedBrain {
   /** Returns a thing that nobody made and nobody has, near the robot; a weak bot's is any. */
   private Drawn choose(Senses s) {
     Drawn best = null;
-    float least = WIDE;
+    float least = 1.3f * WIDE;
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn e = s.view().entity(i);
       if (isLoose(e)) {
         float cost = s.distance(e) + 6 * rest() * s.random().nextFloat() / 75;
         cost += Math.max(0, s.own().y() - 3 - e.y()) * 0.3f; // those on top lie bare
+        cost += cost < least ? 0.4f * chooseBasket(s, e.x(), e.y()) : 0;
         if (cost < least) {
           least = cost;
           best = e;
@@ -131,11 +132,12 @@ public final class PlaygroundBrain extends GradedBrain {
         && (kind.equals("crate") || kind.equals("pebble") || kind.equals("domino"));
   }
 
-  private void toBasket(Senses s, Input out) {
+  /** Chooses the basket nearest to a place, rather a free one; returns how far it is, metres. */
+  private float chooseBasket(Senses s, float x, float y) {
     Level level = s.view().level();
     float best = Float.MAX_VALUE;
     for (Level.Placement p : level.statics()) {
-      float way = (float) Math.hypot(p.x() - s.own().x(), p.y() + 3 - s.own().y());
+      float way = (float) Math.hypot(p.x() - x, p.y() + 3 - y);
       boolean isBasket = level.archetypes().get(p.archetype()).name().equals("basket");
       if (isBasket && way < best && isTaken(s, p)) {
         way += 20;
@@ -146,6 +148,11 @@ public final class PlaygroundBrain extends GradedBrain {
         goalY = p.y();
       }
     }
+    return best;
+  }
+
+  private void toBasket(Senses s, Input out) {
+    chooseBasket(s, s.own().x(), s.own().y());
     boolean isOver = Math.abs(goalX - s.own().x()) < 1.2f && s.own().y() > goalY + 2;
     fly(s, out, goalX, goalY + (isOver ? 2.4f : 7), 0.2f);
     overSince = isOver && s.own().y() < goalY + 3 ? Math.min(overSince, s.tick()) : s.tick();
