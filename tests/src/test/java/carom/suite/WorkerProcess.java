@@ -24,6 +24,10 @@ final class WorkerProcess implements AutoCloseable {
   private static final int DUMP_SECONDS = 30;
   private static final int STACK_LINES = 40;
 
+  /** A process that yields may take so many times as long: others run before it. */
+  private static final int PATIENCE = 3;
+
+  private final boolean yields;
   private final Process process;
   private final Socket socket;
   private final ObjectInputStream in;
@@ -38,6 +42,7 @@ final class WorkerProcess implements AutoCloseable {
    * @param optimized whether both compilers of the JVM work, or only the quick one
    */
   WorkerProcess(Path output, boolean yields, boolean optimized) throws IOException {
+    this.yields = yields;
     try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       server.setSoTimeout(START_MS);
       List<String> command = new ArrayList<>();
@@ -86,13 +91,14 @@ final class WorkerProcess implements AutoCloseable {
       throws IOException {
     ClassReport report = new ClassReport(testClass);
     long began = System.nanoTime();
+    int seconds = yields ? PATIENCE * limitSeconds : limitSeconds;
     try {
       out.writeUTF(testClass.name());
       out.writeUTF(testClass.methods());
       out.writeUTF(testClass.part().name());
       out.flush();
       while (true) {
-        long left = limitSeconds * 1000L - (System.nanoTime() - began) / 1_000_000;
+        long left = seconds * 1000L - (System.nanoTime() - began) / 1_000_000;
         socket.setSoTimeout((int) Math.max(1, left));
         TestEvent event = (TestEvent) in.readObject();
         report.add(event);
@@ -102,7 +108,7 @@ final class WorkerProcess implements AutoCloseable {
         }
       }
     } catch (SocketTimeoutException e) {
-      String reason = "still ran after " + limitSeconds + " s and was ended; it was at\n" + dump();
+      String reason = "still ran after " + seconds + " s and was ended; it was at\n" + dump();
       end(report, reason, began, told);
     } catch (EOFException | SocketException e) {
       end(report, "the process ended in it, with exit value " + exitValue(), began, told);

@@ -117,7 +117,7 @@ final class WorkerProcessTest {
     String xml = "";
     // On a busy machine a class may not have begun after five seconds.
     for (int seconds = 5; !xml.contains("waitsForever") && seconds <= 80; seconds *= 4) {
-      try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
+      try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), false, false)) {
         ClassReport report = run(worker, Hanging.class, "", TestClass.Part.COMPUTING, seconds);
         assertEquals(1, report.count(TestEvent.Kind.FAILED));
         xml = xml(Hanging.class);
