@@ -122,19 +122,26 @@ final class MachineScenarioTest {
   @Test
   void whatIsTooLargeForASetIsCutAndHeldAtTheCut() {
     // Goal: a car that drives over a carpet of 270 links doesn't fall through it or jump, though no
-    // predicted set holds them all. Method: a driver on it for a quarter of a minute. Of ten runs
-    // of
-    // five seeds, on two versions of the engine, the largest corrections were 0.09 to 0.23 m.
+    // predicted set holds them all. Method: three drivers, one after the other, on it for a quarter
+    // of a minute each. One run says little of the largest correction: it was 0.09 to 0.23 m.
     Level level = MachineGame.level(spawn("carpet", -27, 0.06f, 0));
-    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
-      SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
-      stepper.run(18);
-      double mean = client.stats().correctionMeanMetres();
-      double largest = client.stats().correctionMaxMetres();
-      String about = "mean=" + mean + " largest=" + largest + " " + stepper.describe();
-      assertTrue(mean < 0.01 && largest < 0.3, about);
-      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+    double mean = 0;
+    double largest = 0;
+    int drivers = 3;
+    StringBuilder about = new StringBuilder();
+    for (int i = 0; i < drivers; i++) {
+      long seed = Stepper.SEED + i;
+      try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+        SimulatedClient client = stepper.join("p", FAR.withSeed(seed), Scripts.wander(seed));
+        stepper.run(18);
+        mean += client.stats().correctionMeanMetres() / drivers;
+        largest += client.stats().correctionMaxMetres() / drivers;
+        about.append(" largest=").append(client.stats().correctionMaxMetres());
+        about.append(' ').append(stepper.describe());
+        assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about::toString);
+      }
     }
+    assertTrue(mean < 0.01 && largest < 0.2, "mean=" + mean + about);
   }
 
   @Test
