@@ -116,7 +116,7 @@ public final class PlaygroundBrain extends GradedBrain {
       if (isLoose(e)) {
         float cost = s.distance(e) + 6 * rest() * s.random().nextFloat() / 75;
         cost += Math.max(0, s.own().y() - 3 - e.y()) * 0.3f; // those on top lie bare
-        cost += cost < least ? 0.4f * chooseBasket(s, e.x(), e.y()) : 0;
+        cost += cost < least ? 0.4f * way(basket(s, e.x(), e.y()), e.x(), e.y()) : 0;
         if (cost < least) {
           least = cost;
           best = e;
@@ -132,31 +132,38 @@ public final class PlaygroundBrain extends GradedBrain {
         && (kind.equals("crate") || kind.equals("pebble") || kind.equals("domino"));
   }
 
-  /** Chooses the basket nearest to a place, rather a free one; returns how far it is, metres. */
-  private float chooseBasket(Senses s, float x, float y) {
+  /** Returns the basket nearest to a place, rather a free one. */
+  private static Level.Placement basket(Senses s, float x, float y) {
     Level level = s.view().level();
-    float best = Float.MAX_VALUE;
+    Level.Placement best = null;
+    float least = Float.MAX_VALUE;
     for (Level.Placement p : level.statics()) {
-      float way = (float) Math.hypot(p.x() - x, p.y() + 3 - y);
+      float way = way(p, x, y);
       boolean isBasket = level.archetypes().get(p.archetype()).name().equals("basket");
-      if (isBasket && way < best && isTaken(s, p)) {
+      if (isBasket && way < least && isTaken(s, p)) {
         way += 20;
       }
-      if (isBasket && way < best) {
-        best = way;
-        goalX = p.x();
-        goalY = p.y();
+      if (isBasket && way < least) {
+        least = way;
+        best = p;
       }
     }
     return best;
   }
 
+  /** Returns the way from a place to where things fall into a basket, metres. */
+  private static float way(Level.Placement basket, float x, float y) {
+    return (float) Math.hypot(basket.x() - x, basket.y() + 3 - y);
+  }
+
   private void toBasket(Senses s, Input out) {
-    chooseBasket(s, s.own().x(), s.own().y());
+    Level.Placement basket = basket(s, s.own().x(), s.own().y());
+    goalX = basket.x();
+    goalY = basket.y();
     boolean isOver = Math.abs(goalX - s.own().x()) < 1.2f && s.own().y() > goalY + 2;
     fly(s, out, goalX, goalY + (isOver ? 2.4f : 7), 0.2f);
     overSince = isOver && s.own().y() < goalY + 3 ? Math.min(overSince, s.tick()) : s.tick();
-    boolean letsGo = s.tick() - overSince > DROP_TICKS;
+    boolean letsGo = s.tick() - Math.max(overSince, grabbedAt) > DROP_TICKS;
     target = letsGo ? -1 : target;
     out.aim(DOWN).hold(Input.ACTION, !letsGo && s.tick() - grabbedAt < 2 * PATIENCE_TICKS);
   }
@@ -166,7 +173,7 @@ public final class PlaygroundBrain extends GradedBrain {
     for (int i = 0; i < s.view().entityCount(); i++) {
       Drawn e = s.view().entity(i);
       boolean isOther = e.archetype().name().equals("robot") && e.id() != s.own().id();
-      if (isOther && Math.hypot(e.x() - basket.x(), e.y() - basket.y() - 3) < 4) {
+      if (isOther && way(basket, e.x(), e.y()) < 4) {
         return true;
       }
     }
