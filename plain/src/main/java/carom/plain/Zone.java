@@ -1,7 +1,10 @@
 package carom.plain;
 
-/** A rectangle to tint behind the bodies. */
+/** A rectangle of the level behind the bodies, to tint if it has a colour. */
 public final class Zone {
+  /** Name that the level gives it, often that of others, too. */
+  public String name;
+
   /** Left edge, metres. */
   public float minX;
 
@@ -14,7 +17,7 @@ public final class Zone {
   /** Upper edge, metres. */
   public float maxY;
 
-  /** Colour, 0xRRGGBB. */
+  /** Colour, 0xRRGGBB; -1 for none. */
   public int rgb;
 
   /** Creates one to be filled in. */

@@ -81,6 +81,9 @@ final class LookWriter {
     number("height", v.camera().height());
     number("lead", v.camera().leadSeconds());
     json.writeBooleanField("all", v.camera().isFramingAll());
+    texts("zones", v.camera().zones());
+    value("condition", v.camera().condition());
+    number("otherHeight", v.camera().otherHeight());
     json.writeEndObject();
     list("hud", v.hud(), this::line);
     json.writeStringField("minimap", v.minimap() == null ? "" : v.minimap().name());

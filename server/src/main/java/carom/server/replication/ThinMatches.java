@@ -60,12 +60,11 @@ final class ThinMatches {
   private static List<Zone> zones(Level level) {
     List<Zone> all = new ArrayList<>();
     for (Area area : level.areas()) {
-      all.add(new Zone(area.minX(), area.minY(), area.maxX(), area.maxY(), area.rgb()));
+      all.add(new Zone("", area.minX(), area.minY(), area.maxX(), area.maxY(), area.rgb()));
     }
     for (Level.Zone zone : level.zones()) {
-      if (zone.rgb() >= 0) {
-        all.add(new Zone(zone.minX(), zone.minY(), zone.maxX(), zone.maxY(), zone.rgb()));
-      }
+      all.add(
+          new Zone(zone.name(), zone.minX(), zone.minY(), zone.maxX(), zone.maxY(), zone.rgb()));
     }
     return all;
   }

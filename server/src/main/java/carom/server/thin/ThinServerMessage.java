@@ -38,7 +38,7 @@ public sealed interface ThinServerMessage {
    * @param bounds least x, least y, greatest x and greatest y that players normally reach, metres
    * @param gravity along x and y, m/s^2
    * @param theme colours of the background
-   * @param zones rectangles to tint behind the bodies, such as goals and water
+   * @param zones rectangles behind the bodies, such as goals and water
    * @param archetypes kinds of bodies, by index
    * @param ground bodies that never move, all of them
    * @param events kinds of events, by index
@@ -67,8 +67,8 @@ public sealed interface ThinServerMessage {
   /** Colours behind the bodies, 0xRRGGBB: at the bottom, at the top, and of the grid. */
   record Theme(int background, int sky, int grid) {}
 
-  /** A rectangle to tint, metres; colour 0xRRGGBB. */
-  record Zone(float minX, float minY, float maxX, float maxY, int rgb) {}
+  /** A rectangle of the level, metres, to tint if it has a colour: 0xRRGGBB, -1 for none. */
+  record Zone(String name, float minX, float minY, float maxX, float maxY, int rgb) {}
 
   /**
    * A kind of bodies.

@@ -87,7 +87,7 @@ final class WindowTest {
     GdxNativesLoader.load(); // the camera's matrices
     ViewCamera camera = new ViewCamera();
     Aabb subject = new Aabb(player[0], player[1], player[0], player[1]);
-    camera.update(level.bounds(), subject, 1_280, 720, 1);
+    camera.update(level.bounds(), subject, 0, 1_280, 720, 1);
 
     assertColour(
         playerColour, image, camera, player[0] - METRES_ASIDE * 0.5f, player[1] - 0.3f, "player");

@@ -91,7 +91,7 @@ final class LookFolderTest {
                       Particles.burst(30).speed(2, 5).glow(),
                       Shake.by(0.5f));
                   v.trail("rocket", Particles.stream(40).picture(smoke));
-                  v.camera().height(18).lead(0.5f);
+                  v.camera().height(18).lead(0.5f).zone("cave").whileSet(ShooterFields.COVER, 30);
                   v.hud(HudItem.bar("damage", ShooterFields.DAMAGE).colour(0xff0000));
                 }));
     Json jump = look.fields.get("actions").items.get(0);
@@ -118,7 +118,10 @@ final class LookFolderTest {
     assertEquals(
         "40 smoke.png",
         texts(look.fields.get("trails").fields.get("rocket").fields, "count", "picture"));
-    assertEquals("18 0.5", texts(look.fields.get("camera").fields, "height", "lead"));
+    Map<String, Json> camera = look.fields.get("camera").fields;
+    assertEquals("18 0.5 30", texts(camera, "height", "lead", "otherHeight"));
+    assertEquals("cave", camera.get("zones").items.get(0).text);
+    assertEquals("cover", camera.get("condition").fields.get("field").text);
     assertEquals("BAR damage", texts(look.fields.get("hud").items.get(0).fields, "kind", "label"));
   }
 

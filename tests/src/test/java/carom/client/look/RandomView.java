@@ -146,5 +146,8 @@ public final class RandomView implements GameView {
     if (random.nextBoolean()) {
       v.camera().framesAll();
     }
+    if (random.nextBoolean()) {
+      v.camera().zone(one(List.of("goal", "nowhere"))).whileSet(RocketFields.HEALTH, in(4, 200));
+    }
   }
 }

@@ -82,6 +82,7 @@ final class ViewSetupTest {
     ranged(0.5f, 2, v -> SoundFile.of("a.ogg").pitch(v, v));
     ranged(4, 200, v -> setup.camera().height(v));
     ranged(0, 2, v -> setup.camera().lead(v));
+    ranged(4, 200, v -> setup.camera().whileSet(Field.flag("scope"), v));
   }
 
   private static void ranged(float least, float most, Consumer<Float> declared) {

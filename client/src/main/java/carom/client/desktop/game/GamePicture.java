@@ -32,6 +32,7 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.Disposable;
 import com.badlogic.gdx.utils.ScreenUtils;
+import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
@@ -49,6 +50,9 @@ public final class GamePicture implements Disposable {
 
   /** Age beyond which an event isn't shown. Events from before a reconnect would puzzle players. */
   private static final float STALE_SECONDS = 1;
+
+  /** Space around all players, metres. */
+  private static final float AROUND_ALL_M = 4;
 
   private static final String LINES = "the look's lines";
 
@@ -224,7 +228,7 @@ public final class GamePicture implements Disposable {
     }
     if (look.show(view.game())) {
       lookPainter.renew();
-      camera.setup(look.setup().camera());
+      camera.zooms(look.setup().camera().isZooming());
       parts.run("the look's sounds", () -> sounds.look(look));
       slow.begin();
     }
@@ -264,7 +268,8 @@ public final class GamePicture implements Disposable {
   private void game(ClientView view, int width, int height, long nowNs, float deltaSeconds) {
     Drawn own = view.own() == null ? view.watched() : view.own();
     Aabb shown = slow.isOn() ? place(slow.event()) : own == null ? null : subject(view, own);
-    camera.update(view.level().bounds(), shown, width, height, deltaSeconds);
+    float least = least(view, own);
+    camera.update(view.level().bounds(), shown, least, width, height, deltaSeconds);
     float x = own == null ? camera.gdx().position.x : own.x();
     float y = own == null ? camera.gdx().position.y : own.y();
     parts.run("sounds", () -> sounds.listen(x, y, deltaSeconds));
@@ -302,9 +307,30 @@ public final class GamePicture implements Disposable {
     return subject.set(event.x(), event.y(), event.x(), event.y());
   }
 
-  /** Returns what the camera shows: a point ahead of the own body, or all bodies of players. */
+  /** Returns the least height that the camera shows, metres; 0 for the usual. */
+  private float least(ClientView view, Drawn own) {
+    CameraSetup setup = look.setup().camera();
+    boolean isOther =
+        own != null
+            && setup.condition() != null
+            && setup.condition().number(view, own.ownerId(), own) != 0;
+    return isOther ? setup.otherHeight() : setup.height();
+  }
+
+  /**
+   * Returns what the camera shows: the zone that the own body is in, or a point ahead of it, or all
+   * bodies of players.
+   */
   private Aabb subject(ClientView view, Drawn own) {
     CameraSetup setup = look.setup().camera();
+    List<Level.Zone> zones = view.level().zones();
+    for (int i = 0; !setup.zones().isEmpty() && i < zones.size(); i++) {
+      Level.Zone zone = zones.get(i);
+      subject.set(zone.minX(), zone.minY(), zone.maxX(), zone.maxY());
+      if (subject.contains(own.x(), own.y()) && setup.zones().contains(zone.name())) {
+        return subject;
+      }
+    }
     float x = own.x() + setup.leadSeconds() * own.velocityX();
     float y = own.y() + setup.leadSeconds() * own.velocityY();
     subject.set(x, y, x, y);
@@ -314,7 +340,7 @@ public final class GamePicture implements Disposable {
         subject.add(body.x(), body.y());
       }
     }
-    return subject;
+    return setup.isFramingAll() ? subject.grow(AROUND_ALL_M) : subject;
   }
 
   private void panels(ClientView view, boolean table, long nowNs) {

@@ -392,7 +392,9 @@ public final class WorldPainter {
     for (int i = 0; i < still.eventKinds().size(); i++) {
       events.add(still.eventKinds().get(i).name());
     }
-    look.check(things, events);
+    Set<String> named = new HashSet<>();
+    sceneryOf.zones().forEach(zone -> named.add(zone.name()));
+    look.check(things, events, named);
   }
 
   private void gather(Body<HostEntity> body) {

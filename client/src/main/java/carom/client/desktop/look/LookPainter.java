@@ -80,8 +80,9 @@ public final class LookPainter implements Disposable {
   }
 
   /** Logs what the look declares for things that there aren't, see {@link ShownLook#check}. */
-  public void check(Collection<String> things, Collection<String> events) {
-    look.check(things, events);
+  public void check(
+      Collection<String> things, Collection<String> events, Collection<String> zones) {
+    look.check(things, events, zones);
   }
 
   /** Ends a batch that a part has begun before it threw. */

@@ -88,30 +88,34 @@ public final class ShownLook {
    *
    * @param things names of the game's archetypes and of the level's pieces
    * @param events names of the game's kinds of events
+   * @param zones names of the level's zones
    * @return the number of warnings
    */
-  public int check(Collection<String> things, Collection<String> events) {
-    int warnings = 0;
-    List<String> unnamed = new ArrayList<>(things);
-    unnamed.removeAll(setup.things());
-    for (String name : setup.things()) {
-      String near = Suggestion.didYouMean(name, unnamed);
-      if (!things.contains(name)) {
-        warnings += near.isEmpty() ? 0 : 1;
-        LOG.atLevel(near.isEmpty() ? Level.DEBUG : Level.WARN)
-            .log(
-                "the view of game {} names \"{}\", which is neither an archetype of the game nor a"
-                    + " piece of this level{}",
-                game,
-                name,
-                near);
-      }
-    }
+  public int check(Collection<String> things, Collection<String> events, Collection<String> zones) {
+    int warnings =
+        mistyped(
+            setup.things(), things, "neither an archetype of the game nor a piece of this level");
+    warnings += mistyped(setup.camera().zones(), zones, "no zone of this level");
     for (String name : setup.events()) {
       if (!events.contains(name)) {
         warnings++;
         String near = Suggestion.didYouMean(name, events);
         LOG.warn("the view of game {} names \"{}\", which is no event of it{}", game, name, near);
+      }
+    }
+    return warnings;
+  }
+
+  private int mistyped(Collection<String> named, Collection<String> all, String what) {
+    int warnings = 0;
+    List<String> unnamed = new ArrayList<>(all);
+    unnamed.removeAll(named);
+    for (String name : named) {
+      String near = Suggestion.didYouMean(name, unnamed);
+      if (!all.contains(name)) {
+        warnings += near.isEmpty() ? 0 : 1;
+        LOG.atLevel(near.isEmpty() ? Level.DEBUG : Level.WARN)
+            .log("the view of game {} names \"{}\", which is {}{}", game, name, what, near);
       }
     }
     return warnings;

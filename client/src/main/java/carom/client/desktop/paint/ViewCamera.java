@@ -1,7 +1,5 @@
 package carom.client.desktop.paint;
 
-import carom.client.look.CameraSetup;
-import carom.client.look.ViewSetup;
 import carom.physics.math.Aabb;
 import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.OrthographicCamera;
@@ -29,12 +27,9 @@ public final class ViewCamera {
   /** Rate at which the picture widens and narrows for all players, 1/s. */
   private static final float ZOOM_PER_SECOND = 2.5f;
 
-  /** Space around all players, metres. */
-  private static final float AROUND_ALL_M = 4;
-
   private final OrthographicCamera camera = new OrthographicCamera();
   private final Vector3 scratch = new Vector3();
-  private CameraSetup setup = new ViewSetup().camera();
+  private boolean zooms;
   private boolean placed;
   private float shakeX;
   private float shakeY;
@@ -54,18 +49,20 @@ public final class ViewCamera {
     return screenHeight / camera.viewportHeight;
   }
 
-  /** Sets what is shown of a level while a player is followed. */
-  public void setup(CameraSetup wanted) {
-    setup = wanted;
+  /** Sets whether the height that is shown changes smoothly while a player is followed. */
+  public void zooms(boolean smoothly) {
+    zooms = smoothly;
   }
 
   /**
    * Fits the view to the window and moves it towards the players. Without a player to follow it
    * stays; before the first one it shows the whole level.
    *
-   * @param subject what it shows; null if there is nobody to follow
+   * @param subject what it shows, all of it; null if there is nobody to follow
+   * @param least height that it shows then, metres; 0 for the usual
    */
-  public void update(Level.Bounds bounds, Aabb subject, int width, int height, float seconds) {
+  public void update(
+      Level.Bounds bounds, Aabb subject, float least, int width, int height, float seconds) {
     boolean followed = subject != null;
     float levelWidth = bounds.maxX() - bounds.minX() + 2 * MARGIN_M;
     float levelHeight = bounds.maxY() - bounds.minY() + 2 * MARGIN_M;
@@ -73,9 +70,9 @@ public final class ViewCamera {
     float whole = Math.max(levelHeight, levelWidth / aspect);
     boolean follows = placed || followed;
     camera.position.sub(shakeX, shakeY, 0);
-    float near = follows ? near(whole, levelHeight, subject, aspect) : whole;
-    boolean zooms = placed && followed && setup.isFramingAll();
-    float zoom = zooms ? 1 - (float) Math.exp(-ZOOM_PER_SECOND * seconds) : 1;
+    float size = followed ? Math.max(subject.height(), subject.width() / aspect) : 0;
+    float near = follows ? near(whole, levelHeight, Math.max(least, size)) : whole;
+    float zoom = zooms && placed ? 1 - (float) Math.exp(-ZOOM_PER_SECOND * seconds) : 1;
     camera.viewportHeight = MathUtils.lerp(camera.viewportHeight, near, zoom);
     camera.viewportWidth = camera.viewportHeight * aspect;
 
@@ -104,15 +101,9 @@ public final class ViewCamera {
   }
 
   /** Returns the height to show while a player is followed, metres. */
-  private float near(float whole, float levelHeight, Aabb subject, float aspect) {
-    float least = setup.height();
-    if (subject != null && setup.isFramingAll()) {
-      float height = subject.maxY - subject.minY + 2 * AROUND_ALL_M;
-      float width = subject.maxX - subject.minX + 2 * AROUND_ALL_M;
-      return Math.min(whole, Math.max(least, Math.max(height, width / aspect)));
-    }
-    if (least > 0) {
-      return Math.min(whole, least);
+  private static float near(float whole, float levelHeight, float wanted) {
+    if (wanted > 0) {
+      return Math.min(whole, wanted);
     }
     return whole <= WHOLE_HEIGHT_M ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
   }

@@ -374,6 +374,7 @@ final class PlainEncoder {
     out.real(z.maxY());
     out.real(z.minX());
     out.real(z.minY());
+    out.text(z.name());
     out.whole(z.rgb());
   }
 

@@ -97,7 +97,7 @@ final class ShownLookTest {
       for (int i = 0; i < s.eventKinds().size(); i++) {
         events.add(s.eventKinds().get(i).name());
       }
-      assertEquals(0, look.check(things, events), name);
+      assertEquals(0, look.check(things, events, List.of()), name);
       looked.add(name);
     }
     assertTrue(looked.containsAll(List.of("arena", "rink", "cars", "quarry")), looked.toString());
@@ -111,11 +111,11 @@ final class ShownLookTest {
     things.addAll(List.of("crate", "planet", "rock.large", "rock.medium", "rock.small"));
     things.addAll(List.of("bolt", "torpedo", "mine", "repair", "scatter", "torpedoes", "mines"));
     List<String> events = List.of("shot", "boom", "spark", "blocked", "crack", "taken", "wreck");
-    assertEquals(0, look.check(things, events));
+    assertEquals(0, look.check(things, events, List.of()));
     things.remove("crate"); // it may be of another level
     things.set(0, "plyer");
-    assertEquals(1, look.check(things, events));
+    assertEquals(1, look.check(things, events, List.of()));
     things.set(0, "player");
-    assertEquals(1, look.check(things, events.subList(1, events.size())));
+    assertEquals(1, look.check(things, events.subList(1, events.size()), List.of()));
   }
 }

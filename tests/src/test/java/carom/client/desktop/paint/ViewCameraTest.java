@@ -3,8 +3,6 @@ package carom.client.desktop.paint;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.look.CameraSetup;
-import carom.client.look.ViewSetup;
 import carom.physics.math.Aabb;
 import carom.sim.level.Level;
 import com.badlogic.gdx.utils.GdxNativesLoader;
@@ -18,7 +16,7 @@ final class ViewCameraTest {
   private static final float FRAME = 1 / 60f;
 
   private final ViewCamera camera = new ViewCamera();
-  private final CameraSetup setup = new ViewSetup().camera();
+  private float least;
 
   @BeforeAll
   static void load() {
@@ -27,7 +25,7 @@ final class ViewCameraTest {
 
   private void settle(Aabb subject) {
     for (int i = 0; i < 600; i++) {
-      camera.update(LARGE, subject, 1_600, 900, FRAME);
+      camera.update(LARGE, subject, least, 1_600, 900, FRAME);
     }
   }
 
@@ -39,23 +37,24 @@ final class ViewCameraTest {
   void aHeightIsShownAroundThePlayer() {
     settle(point(10, 5));
     assertEquals(16, camera.gdx().viewportHeight, 1e-3f, "the usual");
-    camera.setup(setup.height(24));
+    least = 24;
     settle(point(10, 5));
     assertEquals(24, camera.gdx().viewportHeight, 1e-3f);
     assertEquals(10, camera.gdx().position.x, 1e-2f);
-    camera.setup(setup.height(200));
+    least = 200;
     settle(point(10, 5));
     assertTrue(camera.gdx().viewportWidth <= 203, "no more than the level");
   }
 
   @Test
   void allPlayersAreInThePictureWhereverTheyAre() {
-    camera.setup(setup.height(12).framesAll());
+    least = 12;
+    camera.zooms(true);
     SplittableRandom random = new SplittableRandom(8);
     for (int i = 0; i < 50; i++) {
       Aabb all = point((float) random.nextDouble(-99, 99), (float) random.nextDouble(-49, 49));
       all.add((float) random.nextDouble(-99, 99), (float) random.nextDouble(-49, 49));
-      settle(all);
+      settle(new Aabb().set(all).grow(4));
       float halfWidth = camera.gdx().viewportWidth / 2;
       float halfHeight = camera.gdx().viewportHeight / 2;
       float x = camera.gdx().position.x;
@@ -67,11 +66,25 @@ final class ViewCameraTest {
   }
 
   @Test
+  void aRectangleIsShownWholeAndTheWayToItIsSmooth() {
+    camera.zooms(true);
+    settle(point(10, 5));
+    Aabb zone = new Aabb(30, -20, 70, 4);
+    float before = camera.gdx().viewportHeight;
+    camera.update(LARGE, zone, least, 1_600, 900, FRAME);
+    assertTrue(camera.gdx().viewportHeight < before + 1, "the picture jumped");
+    settle(zone);
+    assertEquals(24, camera.gdx().viewportHeight, 1e-2f);
+    assertEquals(50, camera.gdx().position.x, 1e-2f);
+    assertEquals(-8, camera.gdx().position.y, 1e-2f);
+  }
+
+  @Test
   void aShakeLeavesNoTrace() {
     settle(point(10, 5));
     SplittableRandom random = new SplittableRandom(9);
     for (int i = 0; i < 1_000; i++) {
-      camera.update(LARGE, point(10, 5), 1_600, 900, FRAME);
+      camera.update(LARGE, point(10, 5), least, 1_600, 900, FRAME);
       camera.shake((float) random.nextDouble(-2, 2), (float) random.nextDouble(-2, 2));
     }
     camera.shake(0, 0);

@@ -81,6 +81,21 @@ final class PlayPageTest {
     browser.evaluate("dispatchEvent(" + String.format(Locale.ROOT, key, "up") + ")");
   }
 
+  /** Goal: the camera shows a zone that the look names, and another height, as the window does. */
+  private static void showsZones(Chromium browser) throws Exception {
+    String follow =
+        "(p => { const {world, look, camera} = p; p.camera = {x: 0, y: 0, height: 20, placed:"
+            + " false}; p.world = {match: {bounds: [-100, -50, 100, 50], zones: [{name: 'cave',"
+            + " minX: 30, minY: -20, maxX: 34, maxY: 4, rgb: -1}]}}; p.look = {camera: {height: 16,"
+            + " lead: 0, all: false, zones: ['cave'], condition: {}, otherHeight: 40}}; for (let i"
+            + " = 0; i < 900; i++) p.follow([%d, 0, 0, 0, 0], [], %d, 1 / 60); const c = p.camera;"
+            + " Object.assign(p, {world, look, camera}); return [c.height, c.x,"
+            + " c.y].map(Math.round).join(' '); })(caromPlay.picture)";
+    assertEquals("24 32 -8", browser.evaluate(String.format(Locale.ROOT, follow, 31, 0)));
+    assertEquals("16 29 0", browser.evaluate(String.format(Locale.ROOT, follow, 29, 0)));
+    assertEquals("40 29 0", browser.evaluate(String.format(Locale.ROOT, follow, 29, 1)));
+  }
+
   @Test
   void everyGameIsPlayedByALink() throws Exception {
     PlayPort port =
@@ -110,6 +125,7 @@ final class PlayPageTest {
         moves(browser);
         assertEquals("true", browser.evaluate("!!caromPlay.picture.look"), "the view of " + game);
       }
+      showsZones(browser);
       String kind = "caromPlay.picture.kinds[caromPlay.world.own.archetype].name";
       browser.await("caromPlay.picture.look.spritesOf(" + kind + ")");
       assertEquals(

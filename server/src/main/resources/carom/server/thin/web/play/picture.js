@@ -83,25 +83,31 @@ export class Picture {
 
   /**
    * Shows the whole level if that is readable, or follows the own body up to the level's edges, as the game's look says. `all`
-   * are the places of all players.
+   * are the places of all players, `other` says whether the look's other height holds.
    */
-  follow(own, all, seconds) {
+  follow(own, all, other, seconds) {
     const [minX, minY, maxX, maxY] = this.world.match.bounds, c = this.camera;
     const width = maxX - minX + 2 * MARGIN, height = maxY - minY + 2 * MARGIN;
     const aspect = this.canvas.clientWidth / this.canvas.clientHeight, whole = Math.max(height, width / aspect);
     const readable = this.canvas.clientHeight / whole >= LEAST_PIXELS;
-    const follows = own || c.placed, wanted = this.look?.camera;
+    const follows = own || c.placed, wanted = this.look?.camera, least = wanted && (other ? wanted.otherHeight : wanted.height);
+    const zone = own && this.world.match.zones.find(z => wanted?.zones.includes(z.name) && z.minX <= own[0] && own[0] <= z.maxX && z.minY <= own[1] && own[1] <= z.maxY);
     let near = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, Math.max(FOLLOW_HEIGHT, FOLLOW_WIDTH / aspect)), zoom = 1;
-    if (follows && wanted?.all && own) {
-      const xs = all.map(p => p[0]), ys = all.map(p => p[1]), [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-      near = Math.min(whole, Math.max(wanted.height, FOLLOW_WIDTH / aspect, high - low + 2 * AROUND_ALL, (right - left + 2 * AROUND_ALL) / aspect));
-      own = [(left + right) / 2, (low + high) / 2, 0, 0, 0];
-      if (c.placed) zoom = 1 - Math.exp(-ZOOM * seconds);
-    } else if (follows && wanted?.height) {
-      near = Math.min(whole, Math.max(wanted.height, FOLLOW_WIDTH / aspect));
-    }
-    c.height += (near - c.height) * zoom;
+    const fits = (left, right, low, high) => {
+      near = Math.min(whole, Math.max(least, high - low, (right - left) / aspect));
+      own = [(left + right) / 2, (low + high) / 2];
+    };
     if (own && wanted?.lead) own = [own[0] + own[3] * wanted.lead, own[1] + own[4] * wanted.lead];
+    if (zone) {
+      fits(zone.minX, zone.maxX, zone.minY, zone.maxY);
+    } else if (follows && wanted?.all && own) {
+      const xs = all.map(p => p[0]), ys = all.map(p => p[1]);
+      fits(Math.min(...xs) - AROUND_ALL, Math.max(...xs) + AROUND_ALL, Math.min(...ys) - AROUND_ALL, Math.max(...ys) + AROUND_ALL);
+    } else if (follows && least) {
+      near = Math.min(whole, Math.max(least, FOLLOW_WIDTH / aspect));
+    }
+    if (c.placed && (wanted?.all || wanted?.zones.length || wanted?.condition)) zoom = 1 - Math.exp(-ZOOM * seconds);
+    c.height += (near - c.height) * zoom;
     const midX = (minX + maxX) / 2, midY = (minY + maxY) / 2;
     const slackX = Math.max(0, (width - c.height * aspect) / 2), slackY = Math.max(0, (height - c.height) / 2);
     const clamp = (v, mid, slack) => Math.max(mid - slack, Math.min(mid + slack, v));
@@ -130,7 +136,8 @@ export class Picture {
     this.ownPose = own?.pose;
     const look = this.look, players = shown.filter(d => d.kind.look === 'PLAYER' && d.body.owner >= 0 && d.body.owner < 1024);
     this.players = players;
-    this.follow(own?.pose, players.map(d => d.pose), seconds);
+    const other = look?.camera.condition && own && look.number(world, look.camera.condition, match.player, own.body.id);
+    this.follow(own?.pose, players.map(d => d.pose), other, seconds);
     const s = height / this.camera.height, [shiftX, shiftY] = this.sparks.shift(), time = nowMs / 1000;
     this.view = [s, 0, 0, -s, width / 2 - s * (this.camera.x + shiftX), height / 2 + s * (this.camera.y + shiftY)];
     for (const d of shown) this.dress(d, seconds);
@@ -232,7 +239,7 @@ export class Picture {
     const [minX, minY, maxX, maxY] = match.bounds;
     if (hasGrid) this.grid(g, match, minX, minY, maxX, maxY);
     g.lineWidth = EDGE;
-    for (const zone of match.zones) {
+    for (const zone of match.zones.filter(z => z.rgb >= 0)) {
       g.fillStyle = shade(zone.rgb, 1, 0.22);
       g.strokeStyle = shade(zone.rgb, 1, 0.7);
       g.fillRect(zone.minX, zone.minY, zone.maxX - zone.minX, zone.maxY - zone.minY);
