@@ -146,9 +146,10 @@ final class RoundCollider {
     if (isStraight(segment, nx, ny) && across > 0) {
       return NormalUse.FRONT;
     }
+    // What is apart beyond an end, and behind the front, passes, or is the neighbour's.
+    NormalUse front = apart && across <= 0 ? NormalUse.LEAVE : NormalUse.FRONT;
     if (!shape.isLinked(end)) {
-      // What is apart beyond a free end, and behind the front, passes.
-      return across > 0 ? NormalUse.TAKE : apart ? NormalUse.LEAVE : NormalUse.FRONT;
+      return across > 0 ? NormalUse.TAKE : front;
     }
     // The neighbour's direction in the segment's own frame is turned by the same rotation as the
     // front's normal; in that frame the cross product decides.
@@ -162,7 +163,7 @@ final class RoundCollider {
     double bend = toward * (gx * oy - gy * ox);
     double size = Math.sqrt((gx * gx + gy * gy) * (ox * ox + oy * oy));
     if (!(bend > 1e-3 * size)) {
-      return NormalUse.FRONT;
+      return front;
     }
     // The neighbour's front normal, turned into world axes: right of its way, (gy, -gx).
     double cos = fx * shape.normalX(0) + fy * shape.normalY(0);

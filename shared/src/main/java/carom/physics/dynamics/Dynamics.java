@@ -123,7 +123,7 @@ public final class Dynamics {
     editor =
         new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter, ended);
     queries = new PartQueries(pairs, parts);
-    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parallel);
+    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parts, parallel);
   }
 
   /**

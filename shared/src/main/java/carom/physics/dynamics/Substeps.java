@@ -2,6 +2,7 @@ package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.SolverBodies;
@@ -60,6 +61,7 @@ final class Substeps {
       ContactTable contacts,
       JointStore joints,
       PairFinder pairs,
+      ShapeTable parts,
       ParallelFor parallel) {
     this.settings = settings;
     this.bodies = bodies;
@@ -67,7 +69,7 @@ final class Substeps {
     this.joints = joints;
     this.parallel = parallel;
     solverBodies = new SolverBodies(active, pairs, parallel);
-    contactSolver = new ContactSolver(ContactLanes.FOUND, parallel);
+    contactSolver = new ContactSolver(ContactLanes.FOUND, parallel, parts);
     jointSolver = new JointSolver(RevoluteLanes.FOUND, parallel);
   }
 

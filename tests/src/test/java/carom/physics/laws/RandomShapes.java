@@ -13,9 +13,9 @@ import java.util.SplittableRandom;
 /** Draws shapes of all kinds, 5 cm to 1 m large. */
 final class RandomShapes {
   /** Number of kinds that have an area, and of all. */
-  private static final int SOLID = 6;
+  private static final int SOLID = 7;
 
-  private static final int ALL = SOLID + 2;
+  private static final int ALL = SOLID + 3;
 
   private RandomShapes() {}
 
@@ -31,7 +31,12 @@ final class RandomShapes {
       case 4 -> Polygon.rounded(.3f * flat, -size, -flat, size, -flat, 0, flat);
       case 5 ->
           Compound.of(new Box(size, .1f * size), new Box(.1f * size, size), new Circle(.3f * size));
-      case 6 -> new Segment(-size, 0, size, .3f * flat);
+      case 6 ->
+          Compound.of(
+              new Box(.5f * size, .5f * flat, .5f * size, 0),
+              new Box(.5f * size, .5f * flat, -.5f * size, 0));
+      case 7 -> new Segment(-size, 0, size, .3f * flat);
+      case 8 -> Chain.loop(-size, -flat, size, -flat, size, flat, 0, .5f * flat, -size, flat);
       default -> Chain.open(size, -flat, .5f * size, 0, -.5f * size, 0, -size, -flat);
     };
   }

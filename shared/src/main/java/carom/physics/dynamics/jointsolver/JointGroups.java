@@ -309,24 +309,34 @@ final class JointGroups {
     share = new double[capacity];
   }
 
-  /** Puts the bodies of plain groups behind the others. */
+  /** Puts the bodies of a group together, and those of plain groups behind the others. */
   private void sortBodies() {
-    watched = 0;
+    Arrays.fill(pairs, 0, count, 0);
     for (int i = 0; i < bodyCount; i++) {
-      if (!isPlain[groupAt[body[i]]]) {
-        place[watched++] = body[i];
-      }
+      pairs[groupAt[body[i]]]++;
     }
-    int at = watched;
+    watched = layOut(false, 0);
+    layOut(true, watched);
     for (int i = 0; i < bodyCount; i++) {
-      if (isPlain[groupAt[body[i]]]) {
-        place[at++] = body[i];
-      }
+      place[pairs[groupAt[body[i]]]++] = body[i];
     }
     System.arraycopy(place, 0, body, 0, bodyCount);
     for (int i = 0; i < bodyCount; i++) {
       groupOf[i] = groupAt[body[i]];
     }
+  }
+
+  /** Gives groups places for as many bodies as are counted; returns the first free one behind. */
+  private int layOut(boolean plain, int from) {
+    int at = from;
+    for (int g = 0; g < count; g++) {
+      if (isPlain[g] == plain) {
+        int bodiesOf = pairs[g];
+        pairs[g] = at;
+        at += bodiesOf;
+      }
+    }
+    return at;
   }
 
   /**
@@ -729,75 +739,79 @@ final class JointGroups {
         v[at + W] -= (float) (back * change[3 * i + 2]);
       }
     }
-    for (int g = 0; g < count; g++) {
+    int from = 0;
+    while (from < tendedCount) {
+      int g = groupOf[tended[from]];
+      int to = from + 1;
+      while (to < tendedCount && groupOf[tended[to]] == g) {
+        to++;
+      }
       if (stored[g] > 0) {
-        slow(g, stored[g], v);
+        slow(from, to, isFree[g], stored[g], v);
         stored[g] = 0;
       }
+      from = to;
     }
   }
 
   /**
    * Takes energy out of the motion of a group, as far as there is any. Of one that moves freely
    * only the motion relative to a rigid body counts, and so the momenta stay.
+   *
+   * @param from its first tended body
+   * @param to the end of these
    */
-  private void slow(int g, double joules, float[] v) {
+  private void slow(int from, int to, boolean free, double joules, float[] v) {
     double m = 0;
     double x = 0;
     double y = 0;
-    double px = 0;
-    double py = 0;
-    for (int i = 0; isFree[g] && i < tendedCount; i++) {
+    double vx = 0;
+    double vy = 0;
+    for (int i = from; free && i < to; i++) {
       int member = tended[i];
-      if (groupOf[member] == g) {
-        int at = place[member] * STRIDE;
-        m += mass[member];
-        x += mass[member] * ((double) bodies.x[body[member]] + v[at + DX]);
-        y += mass[member] * ((double) bodies.y[body[member]] + v[at + DY]);
-        px += mass[member] * v[at + VX];
-        py += mass[member] * v[at + VY];
-      }
+      int at = place[member] * STRIDE;
+      m += mass[member];
+      x += mass[member] * ((double) bodies.x[body[member]] + v[at + DX]);
+      y += mass[member] * ((double) bodies.y[body[member]] + v[at + DY]);
+      vx += mass[member] * v[at + VX];
+      vy += mass[member] * v[at + VY];
     }
-    double vx = m > 0 ? px / m : 0;
-    double vy = m > 0 ? py / m : 0;
-    x = m > 0 ? x / m : 0;
-    y = m > 0 ? y / m : 0;
+    if (free) {
+      x /= m;
+      y /= m;
+      vx /= m;
+      vy /= m;
+    }
     double turning = 0;
     double moment = 0;
-    for (int i = 0; isFree[g] && i < tendedCount; i++) {
+    for (int i = from; free && i < to; i++) {
       int member = tended[i];
-      if (groupOf[member] == g) {
-        int at = place[member] * STRIDE;
-        double rx = bodies.x[body[member]] + v[at + DX] - x;
-        double ry = bodies.y[body[member]] + v[at + DY] - y;
-        moment += mass[member] * (rx * (v[at + VY] - vy) - ry * (v[at + VX] - vx));
-        moment += inertia[member] * v[at + W];
-        turning += mass[member] * (rx * rx + ry * ry) + inertia[member];
-      }
+      int at = place[member] * STRIDE;
+      double rx = bodies.x[body[member]] + v[at + DX] - x;
+      double ry = bodies.y[body[member]] + v[at + DY] - y;
+      moment += mass[member] * (rx * (v[at + VY] - vy) - ry * (v[at + VX] - vx));
+      moment += inertia[member] * v[at + W];
+      turning += mass[member] * (rx * rx + ry * ry) + inertia[member];
     }
     double spin = turning > 0 ? moment / turning : 0;
     double sum = 0;
-    for (int i = 0; i < tendedCount; i++) {
+    for (int i = from; i < to; i++) {
       int member = tended[i];
-      if (groupOf[member] == g) {
-        int at = place[member] * STRIDE;
-        double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
-        double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
-        double uw = v[at + W] - spin;
-        sum += 0.5 * (mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw);
-      }
+      int at = place[member] * STRIDE;
+      double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
+      double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
+      double uw = v[at + W] - spin;
+      sum += 0.5 * (mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw);
+      change[3 * i] = ux;
+      change[3 * i + 1] = uy;
+      change[3 * i + 2] = inertia[member] > 0 ? uw : 0;
     }
     double lost = sum > 0 ? 1 - Math.sqrt(Math.max(1 - joules / sum, 0)) : 0;
-    for (int i = 0; i < tendedCount; i++) {
-      int member = tended[i];
-      if (groupOf[member] == g) {
-        int at = place[member] * STRIDE;
-        double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
-        double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
-        v[at + VX] -= (float) (lost * ux);
-        v[at + VY] -= (float) (lost * uy);
-        v[at + W] -= inertia[member] > 0 ? (float) (lost * (v[at + W] - spin)) : 0;
-      }
+    for (int i = from; i < to; i++) {
+      int at = place[tended[i]] * STRIDE;
+      v[at + VX] -= (float) (lost * change[3 * i]);
+      v[at + VY] -= (float) (lost * change[3 * i + 1]);
+      v[at + W] -= (float) (lost * change[3 * i + 2]);
     }
   }
 }

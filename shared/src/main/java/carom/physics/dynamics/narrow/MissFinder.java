@@ -178,14 +178,38 @@ final class MissFinder {
     if (!closes) {
       return APART;
     }
-    if (most < sure) {
+    if (most < sure && !isTurning(a, b, most)) {
       return MEET;
     }
     if (overlaps && overlap(row, a, b)) {
       return MEET;
     }
-    int stretches = isStraight(a, b) ? 1 : Math.min(STRETCHES, substeps);
-    return (areDiscs(row) ? discsMeet(row, stretches) : shapesMeet(row, stretches)) ? MEET : MISS;
+    return meet(row) ? MEET : MISS;
+  }
+
+  /** Returns whether the parts of a row come so close that they touch, whatever its points say. */
+  boolean meets(int row) {
+    find(contacts.bodyA(row), pathA);
+    find(contacts.bodyB(row), pathB);
+    return meet(row);
+  }
+
+  private boolean meet(int row) {
+    boolean straight = isStraight(contacts.bodyA(row), contacts.bodyB(row));
+    int stretches = straight ? 1 : Math.min(STRETCHES, substeps);
+    return areDiscs(row) ? discsMeet(row, stretches) : shapesMeet(row, stretches);
+  }
+
+  /** Returns whether bodies turn so far that a gap may close along its normal and yet be there. */
+  private boolean isTurning(int a, int b, float slideM) {
+    float turnA = 0;
+    float turnB = 0;
+    for (int i = 0; i < substeps; i++) {
+      turnA += Math.abs(pathA.turn[i]);
+      turnB += Math.abs(pathB.turn[i]);
+    }
+    float swing = turnA * bodies.reach[a] + turnB * bodies.reach[b];
+    return (turnA + turnB) * (slideM + swing) > STRAIGHT;
   }
 
   /** Returns whether both shapes are discs about the centres of their bodies, as in a gas. */

@@ -52,11 +52,8 @@ public final class NarrowPhase {
   /** Mark: the row stays as it is. */
   private static final int LEFT = 1;
 
-  /** Mark: the row covers others. */
-  private static final int COVERS = 2;
-
   /** Mark: a callback let its parts pass in the step before. */
-  private static final int PASSED = 4;
+  private static final int PASSED = 2;
 
   /** Per row: its marks, added up. */
   private byte[] marks = new byte[0];
@@ -68,6 +65,9 @@ public final class NarrowPhase {
   private boolean[] restless = new boolean[0];
 
   private Scratch[] scratches = new Scratch[0];
+
+  /** The rows that were ended because others cover them, each followed by the one that does. */
+  private final IntList covered = new IntList();
 
   /** The memory that one worker needs, and what it counts. */
   private static final class Scratch {
@@ -168,6 +168,7 @@ public final class NarrowPhase {
    */
   public void begin(boolean first, float dt) {
     ensureCapacity();
+    covered.count = 0;
     for (Scratch scratch : scratches) {
       scratch.misses.begin(dt);
       scratch.reserve.count = 0;
@@ -309,15 +310,27 @@ public final class NarrowPhase {
     return (marks[row] & PASSED) != 0;
   }
 
-  /** Marks a row as one that covers others, which were ended for its sake. */
-  void markCover(int row) {
-    marks[row] |= COVERS;
+  /** Notes that a row was ended because another one covers it. */
+  void noteCover(int row, int cover) {
+    covered.add(row);
+    covered.add(cover);
+  }
+
+  /** Returns whether what a row covers meets in this step, though it itself doesn't. */
+  private boolean coversOneThatMeets(int cover, MissFinder misses) {
+    for (int i = 0; i < covered.count; i += 2) {
+      int row = covered.values[i];
+      if (covered.values[i + 1] == cover
+          && (misses.meets(row) || coversOneThatMeets(row, misses))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
    * Decides about the updated rows whose gaps might be closed: they touch only if they meet in this
-   * step, or were pushed in the one before. What covers others isn't dropped, because it stands for
-   * all of the ground there.
+   * step, or were pushed in the one before. What covers others stands for all of the ground there.
    *
    * @return how many don't touch
    */
@@ -328,7 +341,7 @@ public final class NarrowPhase {
       for (int i = 0; i < gaps.count; i++) {
         int row = gaps.values[i];
         int verdict = contacts.points[row] == 0 ? MissFinder.MEET : scratch.misses.judge(row);
-        if (verdict == MissFinder.MISS && (marks[row] & COVERS) == 0) {
+        if (verdict == MissFinder.MISS && !coversOneThatMeets(row, scratch.misses)) {
           contacts.end(row);
           apart++;
         } else if (verdict != MissFinder.MEET && contacts.hold(row)) {

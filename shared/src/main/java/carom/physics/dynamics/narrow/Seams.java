@@ -225,7 +225,7 @@ public final class Seams {
   private int end(int row, int cover) {
     int count = contacts.touches(row) ? 1 : 0;
     contacts.end(row);
-    narrow.markCover(cover);
+    narrow.noteCover(row, cover);
     return count;
   }
 

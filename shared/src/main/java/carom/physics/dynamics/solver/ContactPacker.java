@@ -43,6 +43,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
@@ -84,6 +85,7 @@ public final class ContactPacker {
   private final ContactBlocks blocks;
   private final ScalarContacts scalar;
   private final ContactLanes lanes;
+  private final ShapeTable parts;
 
   // The stages, made once so that a step allocates nothing.
   private final DomainPhases.Phase packing;
@@ -101,11 +103,13 @@ public final class ContactPacker {
    * Fills these blocks.
    *
    * @param lanes kernels for whole blocks, null for none
+   * @param parts says which parts are discs
    */
-  ContactPacker(ContactBlocks blocks, ScalarContacts scalar, ContactLanes lanes) {
+  ContactPacker(ContactBlocks blocks, ScalarContacts scalar, ContactLanes lanes, ShapeTable parts) {
     this.blocks = blocks;
     this.scalar = scalar;
     this.lanes = lanes;
+    this.parts = parts;
     packing = blocks.phase((from, to, worker) -> packBlocks(from, to));
     storing = blocks.phase((from, to, worker) -> storeBlocks(from, to));
   }
@@ -218,7 +222,7 @@ public final class ContactPacker {
       blocks.extra[block * EXTRA + i + RADIUS_A] = m[mixed + ContactTable.ROUND_A];
       blocks.extra[block * EXTRA + i + RADIUS_B] = m[mixed + ContactTable.ROUND_B];
       if ((blocks.traits[block] & TWO) == 0) {
-        moveArm(at, a, o, m[mixed + ContactTable.ROUND_A], m[mixed + ContactTable.ROUND_B]);
+        moveArm(r, at, m[mixed + ContactTable.ROUND_A], m[mixed + ContactTable.ROUND_B]);
       }
     }
     if (m[mixed + ContactTable.ROLLING] > 0) {
@@ -236,24 +240,26 @@ public final class ContactPacker {
    * touch it in the middle of the substeps' forces. Arms stay the same for a step; those of its
    * start would be late, and a plank on two rollers that turn inwards would swing ever wider. The
    * area of its oscillation in phase space is kept if a force that is frozen for n substeps is that
-   * of {@code (n - 1) / 2} substeps later.
+   * of {@code (n - 1) / 2} substeps later. Beside a disc what is merely rounded is flat, too.
    *
-   * @param a body A
-   * @param b body B
    * @param roundA radius of A's rounding, m
    * @param roundB radius of B's rounding, m
    */
-  private void moveArm(int at, int a, int b, float roundA, float roundB) {
+  private void moveArm(int row, int at, float roundA, float roundB) {
     float[] d = blocks.data;
+    int roundnessA = roundness(table.part[2 * row], roundA);
+    int roundnessB = roundness(table.part[2 * row + 1], roundB);
     // What carries no load yet may be about to pass: its gap belongs to the arms of now.
-    if ((roundA == 0) == (roundB == 0) || d[at + FIRST + NORMAL_IMPULSE] == 0) {
+    if (roundnessA == roundnessB || d[at + FIRST + NORMAL_IMPULSE] == 0) {
       return;
     }
+    int a = ContactKey.bodyA(table.key[row]);
+    int b = ContactKey.bodyB(table.key[row]);
     float nx = d[at + NX];
     float ny = d[at + NY];
     float x = d[at + FIRST + ARM_X];
     float y = d[at + FIRST + ARM_Y];
-    boolean ofB = roundB != 0;
+    boolean ofB = roundnessB > roundnessA;
     int round = ofB ? b : a;
     int flat = ofB ? a : b;
     // The middle of the rounding, seen from its body.
@@ -274,6 +280,10 @@ public final class ContactPacker {
       d[at + FIRST + OFFSET_X] += way * ny;
       d[at + FIRST + OFFSET_Y] -= way * nx;
     }
+  }
+
+  private int roundness(int part, float radius) {
+    return parts.isDisc(part) ? 2 : radius > 0 ? 1 : 0;
   }
 
   private void leverArms(int lane, boolean two) {

@@ -8,6 +8,7 @@ import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.SolverBodies;
@@ -184,8 +185,9 @@ public final class ContactSolver {
    *
    * @param lanes kernels for whole blocks, null for none
    * @param parallel tells how many workers there are
+   * @param parts says which parts are discs
    */
-  public ContactSolver(ContactLanes lanes, ParallelFor parallel) {
+  public ContactSolver(ContactLanes lanes, ParallelFor parallel, ShapeTable parts) {
     this.lanes = lanes;
     this.parallel = parallel;
     blocks = new ContactBlocks();
@@ -194,7 +196,7 @@ public final class ContactSolver {
     relaxing = blocks.phase(this::relaxBlocks);
     scalar = new ScalarContacts(this, blocks);
     treeContacts = new TreeContacts(this, blocks, scalar);
-    packer = new ContactPacker(blocks, scalar, lanes);
+    packer = new ContactPacker(blocks, scalar, lanes, parts);
     restitution = new ContactRestitution(blocks, scalar, parallel);
   }
 

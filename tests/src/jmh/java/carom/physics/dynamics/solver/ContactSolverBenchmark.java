@@ -5,6 +5,7 @@ import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeSpec;
+import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.jointtree.JointTrees;
@@ -66,7 +67,10 @@ public class ContactSolverBenchmark {
   @Setup
   public void build() {
     solver =
-        new ContactSolver(kernels.equals("vector") ? ContactLanes.FOUND : null, new ParallelFor());
+        new ContactSolver(
+            kernels.equals("vector") ? ContactLanes.FOUND : null,
+            new ParallelFor(),
+            new ShapeTable(settings));
     add(BodyStore.STATIC, new Box(100, 1), 0, -1);
     Box box = new Box(0.5f, 0.5f);
     for (int row = 0; row < ROWS; row++) {
