@@ -47,6 +47,12 @@ final class GameWarmup {
   private static final int MAX_TICKS = 600;
   private static final long MAX_NS = 400_000_000L;
 
+  /**
+   * Whether a server that is alone opens after a tick, as where programs start many that nobody
+   * plays on for long; its first players may wait.
+   */
+  private static final boolean COLD = Boolean.getBoolean("carom.cold");
+
   /** Ticks and time in a fleet, where a server must be fast at once when another one dies. */
   private static final int MAX_FLEET_TICKS = 6_000;
 
@@ -95,7 +101,8 @@ final class GameWarmup {
   private void run(
       ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec, Path followed) {
     long beginNs = System.nanoTime();
-    int mostTicks = followed == null ? MAX_TICKS : MAX_FLEET_TICKS;
+    int mostTicks = followed != null ? MAX_FLEET_TICKS : COLD ? 1 : MAX_TICKS;
+    int leastTicks = Math.min(MIN_TICKS, mostTicks);
     long mostNs = followed == null ? MAX_NS : MAX_FLEET_NS;
     Schema schema = SimulationHost.schemaOf(games.get(), level);
     InProcessNetwork network = new InProcessNetwork(codec);
@@ -106,7 +113,7 @@ final class GameWarmup {
       }
       Practice practice = followed == null ? null : follow(server.rooms().get(0), followed);
       for (int i = 0;
-          i < MIN_TICKS || (i < mostTicks && System.nanoTime() - beginNs < mostNs);
+          i < leastTicks || (i < mostTicks && System.nanoTime() - beginNs < mostNs);
           i++) {
         virtualNs += config.tickNs() + 1;
         for (Extra extra : extras) {

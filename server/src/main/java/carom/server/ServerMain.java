@@ -157,6 +157,13 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
+    // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
+    // exit code.
+    System.exit(run(args));
+  }
+
+  /** Runs the server as {@link #main} does, and returns the exit code. */
+  static int run(String... args) {
     VectorApi.load();
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
@@ -168,9 +175,7 @@ public final class ServerMain implements Callable<Integer> {
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
     ServerMain program = new ServerMain(loggingSoon);
-    // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
-    // exit code.
-    System.exit(program.execute(commandLine(program), args));
+    return program.execute(commandLine(program), args);
   }
 
   private static CommandLine commandLine(ServerMain program) {

@@ -2,6 +2,8 @@ package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.suite.Optimized;
@@ -12,8 +14,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: the tick of a room full of players allocates next to nothing. Method: twenty bots in a game
- * that ships; the bytes the thread allocates in the server's part of each slice, the smallest of
- * several windows, since a goal or a roster in one of them may cost a few objects.
+ * that ships, a quarter of which predict; the bytes the thread allocates in the server's part of
+ * each slice, the smallest of several windows, since a goal or a roster in one of them may cost a
+ * few objects.
  */
 @Optimized("measures what is allocated")
 class AllocationScenarioTest {
@@ -28,7 +31,11 @@ class AllocationScenarioTest {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     try (Stepper stepper = Stepper.of(game)) {
       for (int i = 0; i < PLAYERS; i++) {
-        stepper.add("bot" + i, Impairment.NONE.withLatency(20, 0), new Bot(i));
+        ClientConfig config =
+            ClientConfig.of("bot" + i)
+                .withServer("localhost", stepper.tcpPort(), stepper.udpPort());
+        config = i % 4 == 0 ? config : config.with(ClientConfig.PREDICTION, PredictionMode.NONE);
+        stepper.add(config, Impairment.NONE.withLatency(20, 0), new Bot(i));
       }
       stepper.run(12);
       double least = Double.MAX_VALUE;

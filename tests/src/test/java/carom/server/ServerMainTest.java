@@ -33,7 +33,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,6 +49,11 @@ import org.junit.jupiter.api.io.TempDir;
 class ServerMainTest {
   private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
 
+  /** Refuses the starts of all tests, in a folder that none of them changes for another. */
+  private static RefusedStarts refusing;
+
+  @TempDir static Path common;
+
   @TempDir Path folder;
   private final List<Process> started = new ArrayList<>();
 
@@ -55,6 +62,17 @@ class ServerMainTest {
 
   /** A folder that names more games; null for those of the class path alone. */
   private Path games;
+
+  @BeforeAll
+  static void beginToRefuse() throws IOException {
+    ProcessBuilder program = new ProcessBuilder(Jvm.command(RefusedStarts.class));
+    refusing = new RefusedStarts(in(common, program), common.resolve("err"));
+  }
+
+  @AfterAll
+  static void endToRefuse() {
+    refusing.close();
+  }
 
   @AfterEach
   void endProcesses() {
@@ -85,12 +103,16 @@ class ServerMainTest {
     command.addAll(Jvm.command(jvm, ServerMain.class, args));
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.directory(workingFolder == null ? null : workingFolder.toFile());
+    Process process = in(folder, builder).redirectError(folder.resolve("err").toFile()).start();
+    started.add(process);
+    return process;
+  }
+
+  private static ProcessBuilder in(Path folder, ProcessBuilder builder) {
     builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
     builder.environment().put("CAROM_WEB_PORT", "0");
     builder.environment().put("CAROM_QUERY_PORT", "0");
-    Process process = builder.redirectError(folder.resolve("err").toFile()).start();
-    started.add(process);
-    return process;
+    return builder;
   }
 
   private String err() throws IOException {
@@ -111,6 +133,16 @@ class ServerMainTest {
     return err();
   }
 
+  /** Requires that the program refuses flags before it opens a port, and says why. */
+  private static String assertRefused(String why, String... args) throws Exception {
+    RefusedStarts.Refusal refusal = refusing.start(args);
+    assertEquals(2, refusal.exitCode(), refusal.err());
+    assertEquals("", refusal.out());
+    assertTrue(refusal.err().contains(why), refusal.err());
+    assertFalse(refusal.err().contains("\tat "), refusal.err());
+    return refusal.err();
+  }
+
   @Test
   void aServerIsReadyWhenAllItsPortsAreOpen() throws Exception {
     try (ServerSocket tcp = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
@@ -125,48 +157,44 @@ class ServerMainTest {
 
   @Test
   void badFlagsGiveOneClearSentenceAndExitCode2() throws Exception {
-    assertTrue(fails(2, "--tcp-prot", "1").contains("Possible solutions: --tcp-port"), err());
-    assertTrue(fails(2, "--tcp-port", "x").contains("--tcp-port=x is not a whole number"), err());
-    assertTrue(fails(2, "--udp-port", "65536").contains("--udp-port=65536 is outside"), err());
-    assertTrue(fails(2, "--game", "arean").contains("arena"), err());
-    assertTrue(fails(2, "--scene", "piramid").contains("did you mean \"pyramid\""), err());
-    assertTrue(fails(2, "--scene", "car", "--game", "arena").contains("exclude"), err());
-    assertTrue(fails(2, "--scene", "car", "--tick-rate", "30").contains("runs at 60 Hz"), err());
-    assertTrue(fails(2, "--rooms", "513").contains("rooms=513 is outside 1..512"), err());
-    assertTrue(fails(2, "--rooms", "512", "--max-players", "256").contains("at most 32768"), err());
-    assertTrue(fails(2, "--max-load", "1000").contains("--max-load=1000 is outside 0..3"), err());
-    assertTrue(fails(2, "--budget", "90Mbit").contains("--budget=90Mbit is outside 16..80000 k"));
-    assertTrue(fails(2, "--grace", "11 min").contains("--grace=11 min is outside 0..600 s"), err());
-    assertTrue(fails(2, "--port", "30").contains("Possible solutions: --tcp-port"), err());
-    assertTrue(fails(2, "--log-level", "loud").contains("none of off, error"), err());
+    assertRefused("Possible solutions: --tcp-port", "--tcp-prot", "1");
+    assertRefused("--tcp-port=x is not a whole number", "--tcp-port", "x");
+    assertRefused("--udp-port=65536 is outside", "--udp-port", "65536");
+    assertRefused("arena", "--game", "arean");
+    assertRefused("did you mean \"pyramid\"", "--scene", "piramid");
+    assertRefused("exclude", "--scene", "car", "--game", "arena");
+    assertRefused("runs at 60 Hz", "--scene", "car", "--tick-rate", "30");
+    assertRefused("rooms=513 is outside 1..512", "--rooms", "513");
+    assertRefused("at most 32768", "--rooms", "512", "--max-players", "256");
+    assertRefused("--max-load=1000 is outside 0..3", "--max-load", "1000");
+    assertRefused("--budget=90Mbit is outside 16..80000 k", "--budget", "90Mbit");
+    assertRefused("--grace=11 min is outside 0..600 s", "--grace", "11 min");
+    assertRefused("Possible solutions: --tcp-port", "--port", "30");
+    assertRefused("none of off, error", "--log-level", "loud");
   }
 
   @Test
   void roomsThatCanNotBePlayedAreRefusedWithTheFormThatWorks() throws Exception {
-    assertTrue(fails(2, "--room", "cup").contains("example cup=arena,commons:16"), err());
-    assertTrue(fails(2, "--room", "cup=aren").contains("no file level=aren"), err());
-    assertTrue(fails(2, "--room", "a b=arena").contains("name=a b must be 1..32 letters"), err());
-    assertTrue(fails(2, "--room", "cup=arena:2000").contains("players=2000 is outside"), err());
+    assertRefused("example cup=arena,commons:16", "--room", "cup");
+    assertRefused("no file level=aren", "--room", "cup=aren");
+    assertRefused("name=a b must be 1..32 letters", "--room", "a b=arena");
+    assertRefused("players=2000 is outside", "--room", "cup=arena:2000");
     String[] twice = {
       "--tcp-port", "0", "--udp-port", "0", "--room", "a=arena", "--room", "a=arena"
     };
-    assertTrue(fails(2, twice).contains("name=a belongs to two rooms"), err());
-    assertTrue(fails(2, "--room", "a=arena", "--rooms", "2").contains("leave --rooms out"), err());
-    assertTrue(
-        fails(2, "--room", "a=arena", "--room-info", "b:k=v").contains("there is no room=b"),
-        err());
-    assertTrue(
-        fails(2, "--room-info", "1:k=" + "v".repeat(99)).contains("must have 1..48 bytes"), err());
-    assertTrue(fails(2, "--levels", "arena", "--game", "x").contains("leave --game out"), err());
+    assertRefused("name=a belongs to two rooms", twice);
+    assertRefused("leave --rooms out", "--room", "a=arena", "--rooms", "2");
+    assertRefused("there is no room=b", "--room", "a=arena", "--room-info", "b:k=v");
+    assertRefused("must have 1..48 bytes", "--room-info", "1:k=" + "v".repeat(99));
+    assertRefused("leave --game out", "--levels", "arena", "--game", "x");
   }
 
   @Test
   void brokenLevelNamesFileAndPlaceAndMissingLevelNamesThePath() throws Exception {
     Path level = folder.resolve("broken.json");
     Files.writeString(level, "{\n  \"name\": \"x\",\n  \"gravity\": \"down\"\n}\n");
-    String error = fails(2, "--level", level.toString());
-    assertTrue(error.contains("broken.json"), error);
-    assertTrue(fails(2, "--level", "missing.json").contains("missing.json"), err());
+    assertRefused("broken.json", "--level", level.toString());
+    assertRefused("missing.json", "--level", "missing.json");
   }
 
   @Test
@@ -187,28 +215,28 @@ class ServerMainTest {
          "bounds": {"min": [-9, -9], "max": [9, 9]}, "spawns": [{"at": [0, 0]}],
          "statics": [{"at": [0, -2], "shape": {"type": "box", "width": 9, "height": 1}}]}
         """);
-    String error = fails(2, "--tcp-port", "0", "--udp-port", "0", "--level", level.toString());
-    assertTrue(error.contains("it needs spawns named \"player\" and \"flag\""), error);
+    String why = "it needs spawns named \"player\" and \"flag\"";
+    assertRefused(why, "--tcp-port", "0", "--udp-port", "0", "--level", level.toString());
   }
 
   @Test
   void recordingFlagsThatDoNotFitTogetherAreRefused() throws Exception {
     Path file = Files.writeString(folder.resolve("file"), "");
     String here = folder.toString();
-    assertTrue(fails(2, "--rooms", "2", "--record", file.toString()).contains("no folder"), err());
-    assertTrue(fails(2, "--record-rotate", "5").contains("needs a folder"), err());
-    assertTrue(fails(2, "--record-keep", "5").contains("needs --record-rotate"), err());
+    assertRefused("no folder", "--rooms", "2", "--record", file.toString());
+    assertRefused("needs a folder", "--record-rotate", "5");
+    assertRefused("needs --record-rotate", "--record-keep", "5");
     String[] both = {"--record", here, "--record-rotate", "5", "--spectator-delay", "5"};
-    assertTrue(fails(2, both).contains("leave one of them out"), err());
+    assertRefused("leave one of them out", both);
   }
 
   @Test
   void recordingThatCannotBeWrittenClosesThePortsAndEndsTheProgram() throws Exception {
     Path file = Files.writeString(folder.resolve("file"), "");
     String[] taken = {"--tcp-port", "0", "--udp-port", "0", "--record", file.toString()};
-    assertTrue(fails(2, taken).contains("is there already; name a new file"), err());
+    assertRefused("is there already; name a new file", taken);
     String[] inside = {"--tcp-port", "0", "--udp-port", "0", "--record", file + "/"};
-    assertTrue(fails(2, inside).contains("is there already; name a new file"), err());
+    assertRefused("is there already; name a new file", inside);
     String nowhere = folder.resolve("no").resolve("file").toString();
     String[] lost = {"--tcp-port", "0", "--udp-port", "0", "--record", nowhere};
     assertTrue(fails(1, lost).contains("can't be written: there is no " + nowhere), err());
@@ -232,14 +260,13 @@ class ServerMainTest {
   void settingsOfTheFileAreCheckedAndErrorsNameTheirLine() throws Exception {
     Path data = Files.createDirectory(folder.resolve("data"));
     Path file = Files.writeString(data.resolve("carom.conf"), "\ntick-rate = 300\n");
-    String error = fails(2);
-    assertTrue(error.contains("--tick-rate=300 is outside 10..240 Hz"), error);
+    String error = assertRefused("--tick-rate=300 is outside 10..240 Hz", "--data=" + data);
     assertTrue(error.contains("tick-rate is set by " + file + ": 2"), error);
     Files.writeString(file, "tick-rat = 30\n");
-    assertTrue(fails(2).contains("did you mean \"tick-rate\"?"), err());
-    assertTrue(fails(2, "--config", "no.conf").contains("config=no.conf can't be read"), err());
+    assertRefused("did you mean \"tick-rate\"?", "--data=" + data);
+    assertRefused("config=no.conf can't be read", "--config", "no.conf");
     Files.writeString(file, "");
-    assertTrue(fails(2, "--bind", "no such").contains("--bind=no such is no address"), err());
+    assertRefused("--bind=no such is no address", "--data=" + data, "--bind", "no such");
     String noFolder = file.toString();
     assertTrue(fails(1, "--data", noFolder).contains("name another folder with --data"), err());
   }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;
@@ -11,7 +12,6 @@ import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.level.Level;
 import carom.suite.Alone;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,24 +53,12 @@ final class InputToPictureTest {
                 new KryoServerTransport(0, 0),
                 System::nanoTime)) {
       server.start();
+      List<String> command = Jvm.command(KeyWatcher.class, Integer.toString(RED));
+      command.addAll(List.of("--settings", folder.resolve("player.conf").toString()));
+      command.addAll(List.of("--host", "localhost:" + server.tcpPort(), "--latency", "50"));
+      command.addAll(List.of("--seconds", "100"));
       ProcessBuilder builder =
-          new ProcessBuilder(
-                  new File(System.getProperty("java.home"), "bin/java").getPath(),
-                  "-Dkryo.unsafe=false",
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  KeyWatcher.class.getName(),
-                  Integer.toString(RED),
-                  "--settings",
-                  folder.resolve("player.conf").toString(),
-                  "--host",
-                  "localhost:" + server.tcpPort(),
-                  "--latency",
-                  "50",
-                  "--seconds",
-                  "100")
-              .redirectErrorStream(true)
-              .redirectOutput(output.toFile());
+          new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
       display.show(builder);
       Process window = builder.start();
       try {

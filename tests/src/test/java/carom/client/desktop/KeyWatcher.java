@@ -61,6 +61,10 @@ final class KeyWatcher {
 
   private void run() throws InterruptedException {
     robot.mouseMove(640, 60);
+    while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
+      Thread.sleep(20);
+    }
+    Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
     double[] found = null;
     while (found == null || found[2] < 200) {
       Thread.sleep(200);

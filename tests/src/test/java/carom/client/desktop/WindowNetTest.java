@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.ClientConfig;
+import carom.client.PredictionMode;
 import carom.client.bots.BotFarm;
 import carom.fixtures.Jvm;
 import carom.fixtures.VirtualDisplay;
@@ -26,9 +27,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
@@ -43,17 +46,21 @@ import org.junit.jupiter.api.io.TempDir;
  * Goal: no key, no button and no network ends a player's window, whatever the game. Method: the
  * real server with a room for each game that is listed, bots in each, levels that change all the
  * time, and real windows on virtual displays, in which {@link WindowPlayer} presses everything: two
- * play, over a mobile network and over one of 60 ms; a third watches the rooms, the recordings and
- * the scenes. Their output and logs must be free of failures.
+ * play, over a mobile network and over one of 60 ms, each in one half of the rooms, which a seed
+ * draws; a third watches the rooms, the recordings and scenes. Their output and logs must be free
+ * of failures. With {@code -Dcarom.all=true} each goes everywhere, and stays longer.
  */
 @Needs("windows")
 @Timeout(900)
 final class WindowNetTest {
-  /**
-   * Time in each room, s: a key is held 0.1 s, and there are about 45. {@code -Dcarom.all=true}
-   * stays longer.
-   */
-  private static final double SECONDS = Boolean.getBoolean("carom.all") ? 30 : 9;
+  /** Whether both networks go to each room, for longer, and all scenes are seen. */
+  private static final boolean ALL = Boolean.getBoolean("carom.all");
+
+  /** Time in each room, s: a key is held 0.1 s, and there are about 45. */
+  private static final double SECONDS = ALL ? 30 : 9;
+
+  /** Number of scenes to see. */
+  private static final int SCENES = ALL ? Integer.MAX_VALUE : 20;
 
   private static final int BOTS = 2;
   private static final long LEVEL_EVERY_MS = 3_500;
@@ -83,11 +90,17 @@ final class WindowNetTest {
     assertTrue(rooms.size() >= 3, rooms.toString());
     int port = startServer(rooms);
     Thread bots = startBots(rooms, port);
-    Window mobile = open("mobile", port, "play", "--network", "mobile");
-    Window slow = open("slow", port, "play", "--latency", "30", "--net-graph");
+    List<String> names = new ArrayList<>(rooms.keySet());
+    Collections.shuffle(names, new Random(seed));
+    int half = names.size() / 2;
+    List<String> some = ALL ? names : names.subList(0, half);
+    List<String> others = ALL ? names : names.subList(half, names.size());
+    Window mobile = play("mobile", port, some, "--network", "mobile");
+    Window slow = play("slow", port, others, "--latency", "30", "--net-graph");
     mobile.requireSound(bots);
     slow.requireSound(bots);
-    Window viewer = open("viewer", port, "view");
+    String recordings = folder.resolve("recordings").toString();
+    Window viewer = open("viewer", port, List.of("view", recordings, "" + SCENES));
     viewer.requireSound(bots);
     assertFalse(read("server").contains(" ERROR "), () -> read("server"));
     for (String game : rooms.keySet()) {
@@ -166,7 +179,10 @@ final class WindowNetTest {
     List<BotFarm> farms = new ArrayList<>();
     for (String room : rooms.keySet()) {
       ClientConfig config =
-          ClientConfig.of("bot").withServer("127.0.0.1", port, 0).with(ClientConfig.ROOM, room);
+          ClientConfig.of("bot")
+              .withServer("127.0.0.1", port, 0)
+              .with(ClientConfig.ROOM, room)
+              .with(ClientConfig.PREDICTION, PredictionMode.NONE); // they are only company
       farms.add(new BotFarm(config, transport, BOTS, seed, false, 0, alone));
     }
     Thread bots =
@@ -233,18 +249,20 @@ final class WindowNetTest {
     }
   }
 
-  private Window open(String name, int port, String how, String... more) throws Exception {
+  private Window play(String name, int port, List<String> rooms, String... more) throws Exception {
+    List<String> how = List.of("play", String.join(",", rooms), "" + SECONDS);
+    List<String> flags = new ArrayList<>(List.of("--host", "localhost:" + port));
+    flags.addAll(List.of(more));
+    return open(name, port, how, flags.toArray(String[]::new));
+  }
+
+  private Window open(String name, int port, List<String> how, String... more) throws Exception {
     VirtualDisplay display = VirtualDisplay.open();
     open.add(display);
-    List<String> args = new ArrayList<>();
-    boolean plays = how.equals("play");
-    args.addAll(List.of(how, plays ? "" + SECONDS : folder.resolve("recordings").toString()));
+    List<String> args = new ArrayList<>(how);
     args.addAll(List.of("" + port, "" + (seed + processes.size())));
     args.addAll(List.of("--settings", Files.createDirectories(folder.resolve(name)) + "/p.conf"));
     args.addAll(List.of("--volume", "0", "--name", name));
-    if (plays) {
-      args.addAll(List.of("--host", "localhost:" + port));
-    }
     args.addAll(List.of(more));
     ProcessBuilder builder = java(name, WindowPlayer.class, args);
     display.show(builder);

@@ -159,30 +159,31 @@ final class WindowPlayer {
   /**
    * Runs the program.
    *
-   * @param args {@code play} and the seconds in each room, or {@code view} and a folder of
-   *     recordings; the server's TCP port; a seed; the client's flags
+   * @param args {@code play}, the rooms, separated by commas, and the seconds in each, or {@code
+   *     view}, a folder of recordings and the number of scenes; the server's TCP port; a seed; the
+   *     client's flags
    */
   public static void main(String[] args) {
     Thread player = new Thread(() -> play(args), "player");
     player.setDaemon(true);
     player.start();
-    System.exit(ClientMain.run(List.of(args).subList(4, args.length).toArray(new String[0])));
+    System.exit(ClientMain.run(List.of(args).subList(5, args.length).toArray(new String[0])));
   }
 
   private static void play(String[] args) {
     try {
-      WindowPlayer player = new WindowPlayer(new Robot(), Long.parseLong(args[3]));
+      WindowPlayer player = new WindowPlayer(new Robot(), Long.parseLong(args[4]));
       while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
         Thread.sleep(20);
       }
-      Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
+      Gdx.graphics.setForegroundFPS(30); // a key is held for longer than a frame
       if (args[0].equals("play")) {
-        player.playRooms(Double.parseDouble(args[1]));
+        player.playRooms(List.of(args[1].split(",")), Double.parseDouble(args[2]));
       } else {
-        ServerAddress server = ServerAddress.parse("localhost:" + args[2]);
+        ServerAddress server = ServerAddress.parse("localhost:" + args[3]);
         player.viewRooms(server);
         player.viewRecordings(Path.of(args[1]));
-        player.viewScenes();
+        player.viewScenes(Integer.parseInt(args[2]));
       }
       System.out.println("done");
     } catch (Exception e) {
@@ -194,13 +195,8 @@ final class WindowPlayer {
 
   // ---- a player
 
-  private void playRooms(double seconds) throws Exception {
+  private void playRooms(List<String> rooms, double seconds) throws Exception {
     awaitBody();
-    tap(KeyEvent.VK_F2);
-    until("the rooms are listed", () -> !view().rooms().isEmpty());
-    tap(KeyEvent.VK_F2);
-    List<String> rooms = new ArrayList<>();
-    run(() -> view().rooms().stream().map(RoomEntry::name).forEach(rooms::add));
     long before = 0;
     for (String room : rooms) {
       goTo(room);
@@ -544,9 +540,11 @@ final class WindowPlayer {
         "Esc leaves", () -> !(screen() instanceof ReplayScreen || screen() instanceof SceneScreen));
   }
 
-  private void viewScenes() throws Exception {
+  private void viewScenes(int count) throws Exception {
     Set<String> all = new HashSet<>();
-    for (Scene scene : Scenes.all()) {
+    List<Scene> scenes = new ArrayList<>(Scenes.all());
+    Collections.shuffle(scenes, random);
+    for (Scene scene : scenes.subList(0, Math.min(count, scenes.size()))) {
       all.add(scene.name());
       run(() -> window().scene(scene));
       until("scene " + scene.name(), () -> screen() instanceof SceneScreen);

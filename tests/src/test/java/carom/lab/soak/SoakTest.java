@@ -27,18 +27,18 @@ final class SoakTest {
   @TempDir private Path folder;
 
   @Test
-  void aServerAndSixteenClientsThatPredictLiveThroughHalfAMinute() throws Exception {
-    soak(30, Soak.Play.PREDICTING);
+  void aServerAndSixteenClientsThatPredictLiveThroughTwentySeconds() throws Exception {
+    soak(20, Soak.Play.PREDICTING);
   }
 
   @Test
-  void aServerAndSixteenClientsLiveThroughAMinute() throws Exception {
-    soak(60, Soak.Play.INTERPOLATING);
+  void aServerAndSixteenClientsLiveThroughFortySeconds() throws Exception {
+    soak(40, Soak.Play.INTERPOLATING);
   }
 
   @Test
-  void aServerAndSixteenClientsThatDecodeNothingLiveThroughThreeMinutes() throws Exception {
-    soak(180, Soak.Play.INPUT_ONLY);
+  void aServerAndSixteenClientsThatDecodeNothingLiveThroughTwoMinutes() throws Exception {
+    soak(120, Soak.Play.INPUT_ONLY);
   }
 
   /** Found by a soak: headers and own state took all that such a line lets through. */

@@ -2,12 +2,12 @@ package carom.sim.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import carom.fixtures.Jvm;
 import carom.physics.World;
 import carom.suite.Needs;
 import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -47,12 +47,7 @@ final class SteadySceneTest {
   @Test
   void noStepAllocates() throws Exception {
     Process child =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx512m",
-                "-cp",
-                System.getProperty("java.class.path"),
-                SteadySceneTest.class.getName())
+        new ProcessBuilder(Jvm.command(List.of("-Xmx512m"), SteadySceneTest.class))
             .redirectError(new File("/dev/null"))
             .start();
     String told = new String(child.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
