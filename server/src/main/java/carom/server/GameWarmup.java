@@ -18,6 +18,7 @@ import carom.server.checkpoint.SlotLink;
 import carom.server.checkpoint.SlotMirror;
 import carom.server.config.ServerConfig;
 import carom.server.room.Room;
+import carom.server.session.Ownership;
 import carom.sim.Game;
 import carom.sim.SimulationHost;
 import carom.sim.entity.Input;
@@ -157,7 +158,8 @@ final class GameWarmup {
       for (int i = 0; i < TAKEOVERS && System.nanoTime() - beginNs < MAX_TAKEOVERS_NS; i++) {
         server.forget(room);
         practice.disk.close(); // all is there, and nothing comes once the folder is gone
-        room = server.takeOver(room.settings(), practice.mirror.path());
+        room = server.prepare(room.settings(), practice.mirror.path(), Ownership.alone());
+        server.takeOver(room, practice.mirror.path());
         step.run();
       }
       practice.mirror.delete();

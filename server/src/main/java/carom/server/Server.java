@@ -638,13 +638,17 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   }
 
   @Override
-  public Room takeOver(RoomConfig own, Path slots) {
-    synchronized (roomCommands) {
-      RoomConfig.places(settingsWith(null, own));
-    }
+  public Room prepare(RoomConfig own, Path slots, Ownership ownership) {
     own.levels().forEach(this::requireLevel);
     // Not on the loader's thread: rooms that come at once are built side by side.
-    Room room = builder.build(own, nextNumber(), new Counters());
+    return builder.build(own, nextNumber(), new Counters(), ownership, slots);
+  }
+
+  @Override
+  public void takeOver(Room room, Path slots) {
+    synchronized (roomCommands) {
+      RoomConfig.places(settingsWith(null, room.settings()));
+    }
     try {
       if (slots != null) {
         room.resume(slots);
@@ -663,7 +667,6 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
     synchronized (roomCommands) {
       addRoom(room);
     }
-    return room;
   }
 
   private int nextNumber() {

@@ -5,9 +5,11 @@ import carom.replay.Block;
 import carom.replay.BlockSink;
 import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
+import carom.replay.RecordingReader;
 import carom.server.account.AccountLog;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.Match;
 import carom.server.match.MatchInfo;
 import carom.server.match.MatchLoader;
 import carom.server.metrics.Counter;
@@ -18,6 +20,7 @@ import carom.server.session.Session;
 import carom.sim.SimState;
 import carom.sim.SimulationHost;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
@@ -227,6 +230,30 @@ public final class RoomCheckpoints {
           "{}no checkpoint can be used, the room begins anew; {} keeps them as *.refused",
           room.label(),
           folder.path());
+    }
+    return null;
+  }
+
+  /**
+   * Builds the match that {@link #resume} will go on with, while its journal still grows, so that
+   * this takes no longer than its ticks do.
+   *
+   * @param path folder of the room's slots
+   * @return null if there is no slot yet whose match can be built
+   */
+  public static Match prepare(Path path, MatchLoader loader) {
+    SlotFolder folder = new SlotFolder(path);
+    try {
+      for (int slot : folder.slots()) {
+        if (Files.exists(folder.seats(slot))) { // which are written after the state
+          int number = SavedRoom.parse(Files.readAllBytes(folder.seats(slot))).match();
+          try (RecordingReader reader = RecordingReader.open(folder.log(slot))) {
+            return loader.prepare(reader.header(), number);
+          }
+        }
+      }
+    } catch (IOException | MatchLoader.Unplayable e) {
+      LOG.debug("the match in {} isn't built in advance: {}", path, e.toString());
     }
     return null;
   }

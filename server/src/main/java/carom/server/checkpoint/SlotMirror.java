@@ -16,13 +16,14 @@ import java.util.concurrent.ConcurrentHashMap;
  * SlotLink} sends. The room can go on from the folder as from its own checkpoints. Nothing waits
  * for the disk, as the owner's death is what the mirror is for, not this machine's.
  *
- * <p>One thread, but for {@link #knows} and {@link #isUsable}.
+ * <p>One thread, but for {@link #knows}, {@link #match} and {@link #isUsable}.
  */
 public final class SlotMirror implements AutoCloseable {
   private final SlotFolder folder;
   private final Map<Integer, FileChannel> logs = new HashMap<>();
   private final Set<Integer> slots = ConcurrentHashMap.newKeySet();
   private final Set<Long> secrets = ConcurrentHashMap.newKeySet();
+  private volatile int match;
 
   /**
    * Creates a mirror that has nothing, whatever the folder had before.
@@ -90,7 +91,9 @@ public final class SlotMirror implements AutoCloseable {
   }
 
   private void note(byte[] seats) throws IOException {
-    List<SavedSeat> all = SavedRoom.parse(seats).seats();
+    SavedRoom saved = SavedRoom.parse(seats);
+    match = saved.match();
+    List<SavedSeat> all = saved.seats();
     Set<Long> present = new HashSet<>();
     all.forEach(seat -> present.add(seat.secret()));
     secrets.addAll(present);
@@ -100,6 +103,11 @@ public final class SlotMirror implements AutoCloseable {
   /** Returns whether a session with this secret plays in the room. Any thread. */
   public boolean knows(long secret) {
     return secrets.contains(secret);
+  }
+
+  /** Returns the number of the match that the room plays, 0 before it is known. Any thread. */
+  public int match() {
+    return match;
   }
 
   /** Returns whether the room could go on from here, with players or without. Any thread. */

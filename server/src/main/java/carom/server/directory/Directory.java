@@ -57,6 +57,21 @@ public interface Directory extends AutoCloseable {
   long create(String key, String value, long lease) throws DirectoryException;
 
   /**
+   * The numbers of an entry and of the one before.
+   *
+   * @param number of the new entry, above 0; 0 if there is none, as with {@link #create}
+   * @param before number of the last entry that this note was made for, 0 for none
+   */
+  record Succession(long number, long before) {}
+
+  /**
+   * Creates an entry as {@link #create} does, and with it notes its number for ever.
+   *
+   * @param note key of the note, which only this method writes
+   */
+  Succession succeed(String key, String value, long lease, String note) throws DirectoryException;
+
+  /**
    * Gives an entry another value.
    *
    * @param number as {@link #create} returned it

@@ -69,6 +69,39 @@ final class EtcdDirectory implements Directory {
 
   @Override
   public long create(String key, String value, long lease) throws DirectoryException {
+    return create(key, value, lease, "").number();
+  }
+
+  /** The note has no value: the revision that wrote it last is the entry's number. */
+  @Override
+  public Succession succeed(String key, String value, long lease, String note)
+      throws DirectoryException {
+    EntryLimits.checkKey(note);
+    String noted = ",{\"request_put\":{" + key(note) + ",\"prev_kv\":true}}";
+    Creation made = create(key, value, lease, noted);
+    if (made.number == 0) {
+      return new Succession(0, 0);
+    }
+    String then = "{" + key(note) + ",\"revision\":\"" + (made.number - 1) + "\"}";
+    EtcdJson before =
+        made.answer == null
+            ? first(call("/v3/kv/range", then).json())
+            : made.answer.get("responses").items().get(1).get("response_put").get("prev_kv");
+    boolean isFirst = before == null || before.get("key").text().isEmpty();
+    return new Succession(
+        made.number, isFirst ? 0 : read(() -> before.get("mod_revision").number()));
+  }
+
+  /**
+   * An entry that was created.
+   *
+   * @param number 0 if it was not
+   * @param answer null if an attempt before has created it, whose answer is lost
+   */
+  private record Creation(long number, EtcdJson answer) {}
+
+  private Creation create(String key, String value, long lease, String more)
+      throws DirectoryException {
     EntryLimits.checkKey(key);
     EntryLimits.checkValue(value);
     String mark = Long.toString(random.nextLong(), Character.MAX_RADIX);
@@ -79,21 +112,22 @@ final class EtcdDirectory implements Directory {
             + EtcdJson.encode(mark + "\n" + value)
             + ",\"lease\":\""
             + lease
-            + "\"}}";
+            + "\"}}"
+            + more;
     Reply reply = change(key, "\"target\":\"CREATE\",\"create_revision\":\"0\"", put);
     EtcdJson json = reply.json();
     if (json == null) {
-      return 0; // the lease has ended
+      return new Creation(0, null); // the lease has ended
     }
     return read(
         () -> {
           if (json.get("succeeded").isTrue()) {
-            return json.get("header").get("revision").number();
+            return new Creation(json.get("header").get("revision").number(), json);
           }
           EtcdJson kv = found(json);
           boolean isOwn =
               kv != null && reply.isRepeated() && kv.get("value").decoded().startsWith(mark + '\n');
-          return isOwn ? kv.get("create_revision").number() : 0L;
+          return new Creation(isOwn ? kv.get("create_revision").number() : 0, null);
         });
   }
 

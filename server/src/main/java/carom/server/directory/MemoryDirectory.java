@@ -150,6 +150,20 @@ public final class MemoryDirectory {
     }
 
     @Override
+    public Succession succeed(String key, String value, long lease, String note)
+        throws DirectoryException {
+      EntryLimits.checkKey(note);
+      synchronized (MemoryDirectory.this) {
+        long number = create(key, value, lease);
+        if (number == 0) {
+          return new Succession(0, 0);
+        }
+        DirectoryEntry before = entries.put(note, new DirectoryEntry(note, "", number, 0));
+        return new Succession(number, before == null ? 0 : before.number());
+      }
+    }
+
+    @Override
     public boolean update(String key, String value, long number) throws DirectoryException {
       EntryLimits.checkKey(key);
       EntryLimits.checkValue(value);

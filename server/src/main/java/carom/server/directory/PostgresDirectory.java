@@ -67,7 +67,7 @@ final class PostgresDirectory implements Directory {
           SELECT pg_notify('carom', key) FROM gone\
           """;
 
-  private static final String CREATE =
+  private static final String MADE =
       END_PAST
           + """
           WITH made AS (
@@ -75,9 +75,24 @@ final class PostgresDirectory implements Directory {
             SELECT ?::text, ?::text, nextval('carom.number'), w.lease, ?::bigint, 1
             FROM (SELECT ?::bigint AS lease) w
             WHERE w.lease = 0 OR EXISTS (SELECT 1 FROM carom.lease l WHERE l.lease = w.lease)
-            ON CONFLICT (key) DO NOTHING RETURNING key, number)
-          SELECT number, pg_notify('carom', key) FROM made\
+            ON CONFLICT (key) DO NOTHING RETURNING key, number, mark)\
           """;
+
+  private static final String TELL = " SELECT number, pg_notify('carom', key) FROM made";
+
+  private static final String CREATE = MADE + TELL;
+
+  /** The note's number is that of the entry, its value that of the one before. */
+  private static final String SUCCEED =
+      MADE
+          + """
+          , noted AS (
+            INSERT INTO carom.entry AS e (key, value, number, lease, mark, version)
+            SELECT ?::text, '0', number, 0, mark, 1 FROM made
+            ON CONFLICT (key) DO UPDATE SET
+              value = e.number::text, number = excluded.number, version = e.version + 1)\
+          """
+          + TELL;
 
   private static final String CREATED = "SELECT number FROM carom.entry WHERE key = ? AND mark = ?";
 
@@ -147,10 +162,33 @@ final class PostgresDirectory implements Directory {
     EntryLimits.checkValue(value);
     long mark = ThreadLocalRandom.current().nextLong();
     return connections.call(
+        (connection, isRepeated) ->
+            created(connection, isRepeated, CREATE, key, value, mark, lease));
+  }
+
+  @Override
+  public Succession succeed(String key, String value, long lease, String note)
+      throws DirectoryException {
+    EntryLimits.checkKey(key);
+    EntryLimits.checkKey(note);
+    EntryLimits.checkValue(value);
+    long mark = ThreadLocalRandom.current().nextLong();
+    return connections.call(
         (connection, isRepeated) -> {
-          long number = number(connection, CREATE, key, value, mark, lease);
-          return number == 0 && isRepeated ? number(connection, CREATED, key, mark) : number;
+          long number = created(connection, isRepeated, SUCCEED, key, value, mark, lease, note);
+          Row noted = number == 0 ? null : first(read(connection, ONE, note));
+          return noted == null || noted.entry.number() != number // lost again already
+              ? new Succession(0, 0)
+              : new Succession(number, Long.parseLong(noted.entry.value()));
         });
+  }
+
+  /** Returns the number of the entry that a statement creates, or that an attempt before has. */
+  private static long created(
+      Connection connection, boolean isRepeated, String statement, Object... values)
+      throws SQLException {
+    long number = number(connection, statement, values);
+    return number == 0 && isRepeated ? number(connection, CREATED, values[0], values[2]) : number;
   }
 
   @Override

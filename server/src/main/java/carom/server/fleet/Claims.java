@@ -2,7 +2,6 @@ package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
-import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
 import carom.server.session.Ownership;
 import java.io.IOException;
@@ -14,8 +13,8 @@ import org.slf4j.LoggerFactory;
 
 /** The rooms that this server owns, by its claims in the directory. Any thread. */
 final class Claims {
-  /** Begins the keys of the last claim of each room, which outlive owners. */
-  private static final String LAST = "last/";
+  /** Begins the keys of the notes of each room's last claim, which outlive owners. */
+  private static final String LAST = "succession/";
 
   private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
 
@@ -49,10 +48,9 @@ final class Claims {
     /** True once the room has ended here, because another server goes on with it. */
     volatile boolean handedOver;
 
-    private Claim(RoomConfig settings, Ownership ownership, String told) {
+    private Claim(RoomConfig settings, Ownership ownership) {
       this.settings = settings;
       this.ownership = ownership;
-      this.told = told;
     }
 
     String room() {
@@ -103,15 +101,27 @@ final class Claims {
    * @return null if another server owns it
    */
   Claim make(RoomConfig room) throws DirectoryException {
-    String value = RoomRecord.claimed(lease.number(), room).toJson();
-    long number = directory.create(RoomRecord.key(room.name()), value, lease.number());
-    if (number == 0) {
+    return make(room, unclaimed());
+  }
+
+  /** Returns the ownership of a room that isn't this server's yet. */
+  Ownership unclaimed() {
+    return Ownership.under(lease);
+  }
+
+  /**
+   * Claims a room that was built before.
+   *
+   * @param ownership of the room, {@link #unclaimed} so far
+   * @return null if another server owns it
+   */
+  Claim make(RoomConfig room, Ownership ownership) throws DirectoryException {
+    Claim claim = new Claim(room, ownership);
+    if (!renew(claim)) {
       news.claimsRefused.incrementAndGet();
       return null;
     }
-    Claim claim = new Claim(room, Ownership.under(lease, succeed(room.name(), number)), value);
     claims.put(room.name(), claim);
-    own(claim, number);
     return claim;
   }
 
@@ -122,34 +132,18 @@ final class Claims {
    */
   boolean renew(Claim claim) throws DirectoryException {
     String value = RoomRecord.claimed(lease.number(), claim.settings).toJson();
-    long number = directory.create(claim.key(), value, lease.number());
-    if (number == 0) {
+    Directory.Succession made =
+        directory.succeed(claim.key(), value, lease.number(), LAST + claim.room());
+    if (made.number() == 0) {
       return false;
     }
-    succeed(claim.room(), number);
     claim.told = value;
     claim.nextNs = Math.min(claim.nextNs, 1);
-    own(claim, number);
-    return true;
-  }
-
-  /** Notes the last claim of a room for ever, and returns the one before; 0 for none. */
-  private long succeed(String room, long number) throws DirectoryException {
-    String key = LAST + room;
-    DirectoryEntry last = directory.get(key);
-    if (last == null) {
-      directory.create(key, String.valueOf(number), 0);
-      return 0;
-    }
-    directory.update(key, String.valueOf(number), last.number());
-    return Long.parseLong(last.value());
-  }
-
-  private void own(Claim claim, long number) {
-    claim.number = number;
-    claim.ownership.claim(number);
+    claim.number = made.number();
+    claim.ownership.claim(made.number(), made.before());
     news.claimsWon.incrementAndGet();
-    LOG.info("owns room={} claim={}", claim.room(), number);
+    LOG.info("owns room={} claim={}", claim.room(), made.number());
+    return true;
   }
 
   /** Forgets a claim that is another server's by now. */

@@ -76,6 +76,12 @@ final class CountedDirectory implements Directory {
   }
 
   @Override
+  public Succession succeed(String key, String value, long lease, String note)
+      throws DirectoryException {
+    return count(() -> directory.succeed(key, value, lease, note));
+  }
+
+  @Override
   public boolean update(String key, String value, long number) throws DirectoryException {
     return count(() -> directory.update(key, value, number));
   }

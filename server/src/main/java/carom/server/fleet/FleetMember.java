@@ -301,6 +301,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
       if (lease.number() != 0 && host != null) {
         bury();
+        takeovers.turn(nowNs, draining); // at once: their players wait
         tellServer(nowNs);
         Map<String, Room> rooms = new HashMap<>();
         host.rooms().forEach(room -> rooms.put(room.name(), room));
@@ -308,7 +309,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
           balance(host.rooms(), nowNs);
         }
         followers.turn(rooms, draining, nowNs);
-        takeovers.turn(nowNs, draining);
         tellRooms(rooms, nowNs);
         forgetStrays(nowNs);
         tellClients(rooms, nowNs);
@@ -458,8 +458,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Tells the directory what has changed in the rooms, and releases those that are gone. */
   private void tellRooms(Map<String, Room> rooms, long nowNs) throws DirectoryException {
     for (Claims.Claim claim : claims.all()) {
-      if (clock.getAsLong() - renewNs >= 0) {
-        return; // where the directory is slow, the lease comes first
+      if (clock.getAsLong() - renewNs >= 0 || !dead.isEmpty()) {
+        return; // where the directory is slow, the lease comes first, and rooms without an owner
       }
       if (nowNs - claim.nextNs < 0 || claim.handedOver) {
         continue;

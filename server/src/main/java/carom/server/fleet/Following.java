@@ -2,6 +2,8 @@ package carom.server.fleet;
 
 import carom.server.checkpoint.SlotLink;
 import carom.server.checkpoint.SlotMirror;
+import carom.server.config.RoomConfig;
+import carom.server.room.Room;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -19,6 +21,14 @@ final class Following {
   private static final Logger LOG = LoggerFactory.getLogger(Following.class);
   private static final SlotLink.Step[] STEPS = SlotLink.Step.values();
 
+  /**
+   * A followed room that was built in advance.
+   *
+   * @param room has no owner yet; null if it can't be built
+   * @param match number of the match that it is built for
+   */
+  record Prepared(Room room, int match) {}
+
   /** A room that is followed. */
   static final class Followed {
     private final long owner;
@@ -27,6 +37,7 @@ final class Following {
     private final SlotMirror mirror;
     private volatile boolean broken;
     private volatile boolean handedOver;
+    private volatile Prepared prepared; // or null
 
     Followed(long owner, long claim, RoomRecord record, SlotMirror mirror) {
       this.owner = owner;
@@ -43,6 +54,32 @@ final class Following {
     /** Returns what the owner told about the room. */
     RoomRecord record() {
       return record;
+    }
+
+    /** Returns the number of the match that is played, 0 before it is known. */
+    int match() {
+      return mirror.match();
+    }
+
+    /** Keeps a room that was built in advance. */
+    void prepared(Prepared newPrepared) {
+      prepared = newPrepared;
+    }
+
+    /** Returns whether a room of these settings is built for the present match. */
+    boolean isPrepared(RoomConfig settings) {
+      Prepared present = prepared;
+      return present != null
+          && present.match == match()
+          && (present.room == null || present.room.settings().equals(settings));
+    }
+
+    /** Returns the room of these settings that was built in advance, once; null for none. */
+    Room takePrepared(RoomConfig settings) {
+      Prepared present = prepared;
+      prepared = null;
+      Room room = present == null ? null : present.room;
+      return room != null && room.settings().equals(settings) ? room : null;
     }
 
     /** Returns the folder from which the room can go on. */

@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
 import carom.server.room.Room;
+import carom.server.session.Ownership;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -25,13 +26,24 @@ public interface RoomHost {
   }
 
   /**
-   * Adds a room that had another owner, or none. It may take as long as its level takes to build.
+   * Builds a room that has another owner, or none. It takes as long as its level takes to build, so
+   * best while the owner lives; without {@link #takeOver} nothing comes of it.
    *
    * @param settings of the room
-   * @param slots folder of its followed state, which the room goes on from; null to begin anew
+   * @param slots folder of its followed state, which the room will go on from; null to begin anew
+   * @param ownership whether this server owns the room
    * @throws IllegalArgumentException if it can't be played here; the message says why
    */
-  Room takeOver(RoomConfig settings, Path slots);
+  Room prepare(RoomConfig settings, Path slots, Ownership ownership);
+
+  /**
+   * Adds a room that this server owns by now.
+   *
+   * @param room was prepared, once
+   * @param slots as above
+   * @throws IllegalArgumentException if it can't be played here; the message says why
+   */
+  void takeOver(Room room, Path slots);
 
   /**
    * Drops a room that another server owns. Its links are closed without a word, because its clients

@@ -1,7 +1,10 @@
 package carom.server.fleet;
 
+import carom.server.config.RoomConfig;
 import carom.server.directory.DirectoryException;
 import carom.server.room.Room;
+import carom.server.session.Ownership;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -9,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -43,6 +47,7 @@ final class Takeovers {
   private final Runnable changed;
   private final FleetNews news;
   private final Set<String> underWay;
+  private final AtomicBoolean prepares = new AtomicBoolean();
 
   /**
    * Creates an object that has nothing to do yet.
@@ -74,7 +79,7 @@ final class Takeovers {
     this.news = news;
   }
 
-  /** Does what is due: rooms with players first, as they wait. */
+  /** Does what is due: rooms with players first, as they wait, and then the others. */
   void turn(long nowNs, boolean draining) {
     Map<String, RoomRecord> due = new HashMap<>();
     for (Map.Entry<String, Following.Followed> one : following.rooms().entrySet()) {
@@ -91,9 +96,45 @@ final class Takeovers {
     if (!draining) {
       findOrphans(nowNs, due);
     }
-    due.entrySet().stream()
-        .sorted(Comparator.comparing(one -> -one.getValue().entry().players()))
-        .forEach(one -> begin(one.getKey(), one.getValue()));
+    List<Map.Entry<String, RoomRecord>> inOrder = new ArrayList<>(due.entrySet());
+    inOrder.sort(Comparator.comparing(one -> -one.getValue().entry().players()));
+    boolean crowded = !underWay.isEmpty();
+    for (Map.Entry<String, RoomRecord> one : inOrder) {
+      boolean hasPlayers = one.getValue().entry().players() > 0;
+      crowded |= hasPlayers;
+      if (hasPlayers || !crowded) {
+        begin(one.getKey(), one.getValue());
+      }
+    }
+    if (due.isEmpty() && underWay.isEmpty()) {
+      following.rooms().forEach(this::prepare);
+    }
+  }
+
+  /** Builds a followed room in which people play in advance, one room at a time. */
+  private void prepare(String name, Following.Followed followed) {
+    FleetView.OwnedRoom owned = view.rooms().get(name);
+    if (owned == null
+        || owned.record().entry().players() == 0
+        || followed.match() == 0
+        || followed.isPrepared(owned.record().settings())
+        || !prepares.compareAndSet(false, true)) {
+      return;
+    }
+    RoomConfig settings = owned.record().settings();
+    builds.execute(
+        () -> {
+          int match = followed.match();
+          try {
+            Room room = host.prepare(settings, followed.folder(), claims.unclaimed());
+            followed.prepared(new Following.Prepared(room, match));
+          } catch (IllegalArgumentException e) {
+            LOG.debug("room={} isn't built in advance: {}", name, e.getMessage());
+            followed.prepared(new Following.Prepared(null, match));
+          } finally {
+            prepares.set(false);
+          }
+        });
   }
 
   /** Adds the rooms that have lost their owner, if it is this server's turn to go on with them. */
@@ -118,9 +159,11 @@ final class Takeovers {
             Following.Followed followed = following.usable(room); // before anybody hears of it
             FleetView.Orphan orphan = view.orphans().get(room);
             long lostNs = orphan == null ? clock.getAsLong() : orphan.sinceNs();
+            Room prepared = followed == null ? null : followed.takePrepared(record.settings());
+            Ownership ownership = prepared == null ? claims.unclaimed() : prepared.ownership();
             Claims.Claim claim = null;
             try {
-              claim = claims.make(record.settings());
+              claim = claims.make(record.settings(), ownership);
             } catch (DirectoryException e) {
               LOG.warn("fleet: room={} can't be claimed: {}", room, e.getMessage());
             }
@@ -132,7 +175,7 @@ final class Takeovers {
             builds.execute(
                 () -> {
                   try {
-                    goOn(record, own, followed, lostNs);
+                    goOn(record, own, followed, prepared, lostNs);
                   } finally {
                     end(room);
                   }
@@ -146,13 +189,20 @@ final class Takeovers {
     changed.run();
   }
 
-  /** Goes on with a room that was lost at a time. */
+  /** Goes on with a room that was lost at a time, and perhaps was built before. */
   private void goOn(
-      RoomRecord record, Claims.Claim claim, Following.Followed followed, long lostNs) {
+      RoomRecord record,
+      Claims.Claim claim,
+      Following.Followed followed,
+      Room prepared,
+      long lostNs) {
     String name = claim.room();
     long beginNs = clock.getAsLong();
     try {
-      Room room = host.takeOver(record.settings(), followed == null ? null : followed.folder());
+      Path slots = followed == null ? null : followed.folder();
+      Room room =
+          prepared == null ? host.prepare(record.settings(), slots, claim.ownership()) : prepared;
+      host.takeOver(room, slots);
       LOG.info(
           "took over room={} claim={} tick={} lost={}{}",
           name,
@@ -165,10 +215,7 @@ final class Takeovers {
       } else {
         news.tookOver(name, claim.number(), room.tick(), clock.getAsLong() - lostNs);
       }
-      LOG.debug(
-          "room {} was built and computed in {} ms",
-          name,
-          (clock.getAsLong() - beginNs) / NS_PER_MS);
+      LOG.debug("room {} is here after {} ms", name, (clock.getAsLong() - beginNs) / NS_PER_MS);
     } catch (IllegalArgumentException e) {
       LOG.error("room={} can't go on here: {}", name, e.getMessage());
       release(claim);

@@ -2,6 +2,7 @@ package carom.server.match;
 
 import carom.net.field.Declarations;
 import carom.net.protocol.ServerMessage.Welcome;
+import carom.replay.RecordingHeader;
 import carom.server.session.LoadedLevel;
 
 /**
@@ -25,6 +26,14 @@ public record MatchInfo(
     Declarations declarations,
     long gameDigest,
     boolean takesAnyCode) {
+  /** Returns whether a recording with this header is one of the room's match of a number. */
+  boolean isThatOf(RecordingHeader header, int match) {
+    return match == number
+        && game.equals(header.game())
+        && seed == header.seed()
+        && level.contentHash() == header.levelHash();
+  }
+
   /**
    * Returns the message that lets a player load and join the match.
    *

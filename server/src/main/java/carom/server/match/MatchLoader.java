@@ -29,6 +29,9 @@ public final class MatchLoader {
   private final AtomicInteger built = new AtomicInteger();
   private volatile long firstSeed;
 
+  /** The match that {@link #prepare} has built and nobody has taken yet, or null. */
+  private Match prepared;
+
   /** Says in one line why a match can't be played. */
   public static final class Unplayable extends Exception {
     private static final long serialVersionUID = 1;
@@ -140,6 +143,11 @@ public final class MatchLoader {
    * @throws Unplayable when the game isn't there, or can't be played in the level
    */
   public Match again(RecordingHeader header, int number) throws Unplayable {
+    Match ready = prepared;
+    prepared = null;
+    if (ready != null && ready.info().isThatOf(header, number)) {
+      return ready;
+    }
     try {
       LoadedLevel level = new LoadedLevel(Level.parse(header.levelName(), header.level()));
       return match(library.game(header.game()), level, number, header.seed());
@@ -148,6 +156,18 @@ public final class MatchLoader {
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       throw new Unplayable(e.getMessage(), e);
     }
+  }
+
+  /**
+   * Builds a match as {@link #again} does, which returns this one when it is asked for it next.
+   *
+   * @param header as above
+   * @param number as above
+   * @throws Unplayable as above
+   */
+  public Match prepare(RecordingHeader header, int number) throws Unplayable {
+    prepared = again(header, number);
+    return prepared;
   }
 
   /** Returns whether a level of the rotation has been removed. */

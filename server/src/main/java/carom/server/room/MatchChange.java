@@ -219,8 +219,19 @@ final class MatchChange implements RoomCourse {
     journal.begin(this, loader.firstSeed(), nowNs);
   }
 
-  /** Goes on where an earlier run of the room has left off, if there is one. */
-  void resume(RoomCheckpoints from, long nowNs) throws IOException {
+  /** Begins with the first match, because the room can't go on with another one. */
+  void beginAnew() {
+    loader.goOn(0, loader.firstSeed());
+    try {
+      room.play(loader.first());
+    } catch (MatchLoader.Unplayable e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+    room.match().capture().capture();
+  }
+
+  /** Goes on where an earlier run of the room has left off; returns whether there is one. */
+  boolean resume(RoomCheckpoints from, long nowNs) throws IOException {
     ResumedRoom resumed = from.resume(loader, nowNs);
     if (resumed != null) {
       lostTicks = resumed.lostTicks();
@@ -232,6 +243,7 @@ final class MatchChange implements RoomCourse {
       presentInRotation = inRotation;
       pending = resumed.pending();
     }
+    return resumed != null;
   }
 
   @Override

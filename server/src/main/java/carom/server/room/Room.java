@@ -95,6 +95,7 @@ public final class Room {
    * @param directory the server's rooms
    * @param counters those of a room whose place this one takes, or new ones
    * @param ownership whether the server owns the room; the room stands still while it doesn't
+   * @param journal folder from which the room will {@link #resume}; null to begin anew
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
@@ -108,19 +109,22 @@ public final class Room {
       Seats seats,
       RoomDirectory directory,
       Counters counters,
-      Ownership ownership) {
+      Ownership ownership,
+      Path journal) {
     this.number = number;
     this.settings = settings;
     parts =
         new RoomParts(
             config, label, settings, library, loads, clock, seats, directory, counters, ownership,
-            this);
+            journal, this);
     context = parts.context;
     end = new RoomEnd(parts);
     ticks = new RoomTick(parts, end);
     operator = new OperatorCommands(parts, settings.name(), end::isClosed, () -> wake.run());
     pictures = new RoomPictures(this::wakeIfPaused);
-    context.match().capture().capture();
+    if (journal == null) {
+      context.match().capture().capture();
+    }
   }
 
   /**
@@ -205,13 +209,16 @@ public final class Room {
 
   /**
    * Goes on where a room of this name was, as its owner's journal has it, with its players in their
-   * grace period. Before the first {@link #doWork}.
+   * grace period; or begins anew, if the journal can't be used. Before the first {@link #doWork}.
    *
    * @param folder the journal's, which isn't written
    * @throws IOException if the folder can't be used
+   * @throws IllegalArgumentException if the room must begin anew and can't; the message says why
    */
   public void resume(Path folder) throws IOException {
-    parts.changes.resume(journal(folder, new SlotDisk(), 1), parts.clock.getAsLong());
+    if (!parts.changes.resume(journal(folder, new SlotDisk(), 1), parts.clock.getAsLong())) {
+      parts.changes.beginAnew();
+    }
     ticks.show();
   }
 

@@ -1,6 +1,7 @@
 package carom.server.room;
 
 import carom.net.protocol.ProtocolLimits;
+import carom.server.checkpoint.RoomCheckpoints;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.Match;
@@ -14,6 +15,7 @@ import carom.server.session.Seats;
 import carom.server.threads.LoadWarnings;
 import carom.server.threads.LoaderThread;
 import carom.server.threads.TickPace;
+import java.nio.file.Path;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
@@ -57,6 +59,7 @@ final class RoomParts {
    * Room}.
    *
    * @param label begins each log line: the room's name, or empty if there is only one room
+   * @param journal folder from which the room will go on, or null
    * @param self the room that has these parts
    * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
@@ -71,12 +74,15 @@ final class RoomParts {
       RoomDirectory directory,
       Counters counters,
       Ownership ownership,
+      Path journal,
       Room self) {
     this.clock = clock;
     ServerConfig config = settingsNow.get();
     stages = new StageTimes(clock);
     MatchLoader loader = new MatchLoader(settingsNow, settings, library, label, counters);
-    context = new RoomContext(settingsNow, label, counters, seats, ownership, firstMatch(loader));
+    context =
+        new RoomContext(
+            settingsNow, label, counters, seats, ownership, firstMatch(loader, journal));
     recording = new RoomRecording(context);
     sessions = new RoomSessions(ProtocolLimits.MAX_PLAYERS, label, counters);
     announcer = new Announcer(sessions, config.get(ServerConfig.TICK_RATE));
@@ -106,9 +112,10 @@ final class RoomParts {
     messages = new MessageDelivery(context, sessions, directory);
   }
 
-  private static Match firstMatch(MatchLoader loader) {
+  private static Match firstMatch(MatchLoader loader, Path journal) {
+    Match prepared = journal == null ? null : RoomCheckpoints.prepare(journal, loader);
     try {
-      return loader.first();
+      return prepared == null ? loader.first() : prepared;
     } catch (MatchLoader.Unplayable e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }

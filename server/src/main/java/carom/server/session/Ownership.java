@@ -16,30 +16,28 @@ import java.util.function.BooleanSupplier;
  */
 public final class Ownership {
   private final BooleanSupplier lease; // null without a fleet
-  private final long before;
+  private volatile long before;
   private volatile long claim;
 
   /** The news of the fleet for clients, by their doors; empty without one. */
   private final Map<Link.Door, ServerMessage.Fleet> servers = new ConcurrentHashMap<>();
 
-  private Ownership(BooleanSupplier lease, long before) {
+  private Ownership(BooleanSupplier lease) {
     this.lease = lease;
-    this.before = before;
   }
 
   /** Returns the ownership of a room whose server has no fleet. */
   public static Ownership alone() {
-    return new Ownership(null, 0);
+    return new Ownership(null);
   }
 
   /**
    * Returns the ownership of a room that has no claim yet.
    *
    * @param lease whether the server's lease holds now; asked before each datagram, any thread
-   * @param before number of the last claim of the room before that of this server, 0 for none
    */
-  public static Ownership under(BooleanSupplier lease, long before) {
-    return new Ownership(lease, before);
+  public static Ownership under(BooleanSupplier lease) {
+    return new Ownership(lease);
   }
 
   /** Returns whether the room may tick and send now. */
@@ -57,11 +55,21 @@ public final class Ownership {
    * nobody has owned it since.
    */
   public boolean isLatest(long keptUnder) {
-    return lease == null || keptUnder == before;
+    return lease == null || keptUnder == before || keptUnder == claim;
   }
 
   /** Sets the number of the claim, 0 for none. */
   public void claim(long number) {
+    claim = number;
+  }
+
+  /**
+   * Sets the number of the claim.
+   *
+   * @param last number of the room's last claim before this one, 0 for none
+   */
+  public void claim(long number, long last) {
+    before = last;
     claim = number;
   }
 

@@ -72,6 +72,8 @@ abstract class DirectoryContract {
     }
   }
 
+  private static final Directory.Succession NONE = new Directory.Succession(0, 0);
+
   @Test
   void anEntryIsCreatedOnce() throws Exception {
     Directory a = door();
@@ -89,6 +91,29 @@ abstract class DirectoryContract {
     assertEquals(
         List.of(key("ban"), key("cup")), a.list(root()).stream().map(DirectoryEntry::key).toList());
     assertEquals(List.of(), a.list(root() + "none"));
+  }
+
+  @Test
+  void anEntrySucceedsTheOneBefore() throws Exception {
+    Directory a = door();
+    Directory b = door();
+    String note = key("note");
+    long ended = b.lease(60_000);
+    b.revoke(ended);
+    assertEquals(NONE, b.succeed(key("cup"), "x", ended, note));
+    Directory.Succession first = a.succeed(key("cup"), "one", a.lease(60_000), note);
+    assertEquals(0, first.before());
+    assertEquals(first.number(), a.get(key("cup")).number());
+    long lease = b.lease(60_000);
+    assertEquals(NONE, b.succeed(key("cup"), "two", lease, note), "it is there");
+    assertTrue(a.delete(key("cup"), first.number()));
+    Directory.Succession next = b.succeed(key("cup"), "two", lease, note);
+    assertTrue(next.number() > first.number());
+    assertEquals(first.number(), next.before());
+    assertEquals(new DirectoryEntry(key("cup"), "two", next.number(), lease), a.get(key("cup")));
+    b.revoke(lease);
+    Directory.Succession last = a.succeed(key("cup"), "three", 0, note);
+    assertEquals(next.number(), last.before(), "the note outlives leases");
   }
 
   @Test

@@ -16,6 +16,7 @@ import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.MemoryDirectory;
 import carom.server.match.MatchLibrary;
 import carom.server.room.Room;
+import carom.server.session.Ownership;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -210,9 +211,14 @@ public final class FleetRig implements AutoCloseable {
     }
 
     @Override
-    public Room takeOver(RoomConfig own, Path slots) {
+    public Room prepare(RoomConfig own, Path slots, Ownership ownership) {
+      return host.prepare(own, slots, ownership);
+    }
+
+    @Override
+    public void takeOver(Room room, Path slots) {
       run(takeoverS);
-      return host.takeOver(own, slots);
+      host.takeOver(room, slots);
     }
 
     @Override

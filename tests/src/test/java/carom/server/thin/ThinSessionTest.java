@@ -374,7 +374,7 @@ final class ThinSessionTest {
   @Test
   void inAFleetAThinClientPlaysWhileItsRoomIsOwned() throws Exception {
     AtomicBoolean lease = new AtomicBoolean(true);
-    Ownership owned = Ownership.under(lease::get, 0);
+    Ownership owned = Ownership.under(lease::get);
     owned.claim(7);
     Balls game = new Balls(5, 10_000);
     Level level = Balls.level();
