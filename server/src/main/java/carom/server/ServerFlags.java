@@ -95,6 +95,11 @@ final class ServerFlags {
       throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
     checkRotation();
+    for (Setting<?> row : List.of(ServerConfig.RCON_PORT, ServerConfig.RCON_BIND)) {
+      if (isSet(row) && !get(ServerConfig.RCON)) {
+        throw bad(row + "=" + get(row) + " needs --rcon");
+      }
+    }
     int players = get(ServerConfig.MAX_PLAYERS);
     if (get(ServerConfig.ROOM).isEmpty() && roomCount() * players > ServerConfig.MAX_PLACES) {
       throw bad(

@@ -231,6 +231,12 @@ class ServerMainTest {
   }
 
   @Test
+  void settingsOfRconNeedRcon() throws Exception {
+    assertTrue(fails(2, "--rcon-port", "5").contains("--rcon-port=5 needs --rcon"), err());
+    assertTrue(fails(2, "--rcon-bind", "::1").contains("--rcon-bind=::1 needs --rcon"), err());
+  }
+
+  @Test
   void recordingThatCannotBeWrittenClosesThePortsAndEndsTheProgram() throws Exception {
     Path file = Files.writeString(folder.resolve("file"), "");
     String[] taken = {"--tcp-port", "0", "--udp-port", "0", "--record", file.toString()};

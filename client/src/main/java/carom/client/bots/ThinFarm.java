@@ -33,12 +33,12 @@ public final class ThinFarm implements Crowd {
     ThinPicture picture = new ThinPicture();
     CompletableFuture<ThinDoor> opening;
     ThinDoor door;
+    ThinDoor.Goal goal;
     int attempts;
     long nextAttemptNs;
     boolean joined;
     boolean gaveUp;
     int disconnects;
-    int errors;
     int retries;
     int redirects;
     String problem = "";
@@ -52,18 +52,18 @@ public final class ThinFarm implements Crowd {
     long inputs;
     long lateInputs;
 
-    Player(String name, long seed) {
+    Player(String name, ThinDoor.Goal goal, long seed) {
       this.name = name;
+      this.goal = goal;
       random = new SimRandom(seed);
     }
 
     boolean plays() {
-      return door != null && picture.snapshots() > 0 && picture.ended() == null;
+      return door != null && picture.player() >= 0 && picture.ended() == null;
     }
   }
 
   private final ThinDoor.Opener opener;
-  private final String room;
   private final List<Player> players = new ArrayList<>();
   private final ExecutorService joining =
       Executors.newCachedThreadPool(
@@ -86,9 +86,9 @@ public final class ThinFarm implements Crowd {
    */
   public ThinFarm(ThinDoor.Opener opener, String name, String room, int count, long seed) {
     this.opener = opener;
-    this.room = room;
+    ThinDoor.Goal goal = new ThinDoor.Goal("", room, "", "");
     for (int i = 1; i <= count; i++) {
-      players.add(new Player(name + i, seed * 7_919 + i));
+      players.add(new Player(name + i, goal, seed * 7_919 + i));
     }
   }
 
@@ -99,19 +99,22 @@ public final class ThinFarm implements Crowd {
         play(p, nowNs);
       } else if (p.opening != null) {
         lookAtOpening(p, nowNs);
-      } else if (!p.gaveUp && nowNs - nextJoinNs >= 0 && nowNs - p.nextAttemptNs >= 0) {
-        nextJoinNs = nowNs + JOIN_GAP_NS;
+      } else if (!p.gaveUp
+          && (p.joined || nowNs - nextJoinNs >= 0) // who comes back needn't wait in a row
+          && nowNs - p.nextAttemptNs >= 0) {
+        nextJoinNs = p.joined ? nextJoinNs : nowNs + JOIN_GAP_NS;
         p.attempts++;
         p.retries += p.attempts > 1 ? 1 : 0;
         ThinPicture picture = p.picture;
-        p.opening = CompletableFuture.supplyAsync(() -> open(p.name, picture), joining);
+        ThinDoor.Goal goal = p.goal;
+        p.opening = CompletableFuture.supplyAsync(() -> open(p.name, goal, picture), joining);
       }
     }
   }
 
-  private ThinDoor open(String name, ThinPicture picture) {
+  private ThinDoor open(String name, ThinDoor.Goal goal, ThinPicture picture) {
     try {
-      return opener.open(name, room, picture);
+      return opener.open(name, goal, picture);
     } catch (IOException e) {
       throw new CompletionException(e);
     }
@@ -132,8 +135,26 @@ public final class ThinFarm implements Crowd {
 
   private static void failed(Player p, String why, long nowNs) {
     p.problem = p.name + ": " + why;
-    p.gaveUp = p.attempts >= MAX_ATTEMPTS || p.joined;
+    p.gaveUp = p.attempts >= MAX_ATTEMPTS;
     p.nextAttemptNs = nowNs + p.attempts * SECOND / 2;
+  }
+
+  /** Goes where the server has sent a bot, or where its seat is without that server; or ends it. */
+  private static void ended(Player p, String why, long nowNs) {
+    ThinPicture s = p.picture;
+    ThinDoor.Goal next = s.redirect();
+    p.redirects += next == null ? 0 : 1;
+    p.disconnects += next == null && p.joined ? 1 : 0;
+    p.attempts = s.player() < 0 ? p.attempts : 0;
+    if (next == null && !s.isRefused()) {
+      next = s.seat(p.goal.server());
+    }
+    p.goal = next == null ? p.goal : next;
+    failed(p, why, nowNs);
+    p.gaveUp |= next == null && p.joined;
+    if (!p.gaveUp) {
+      p.picture = new ThinPicture(s);
+    }
   }
 
   private void play(Player p, long nowNs) {
@@ -141,13 +162,7 @@ public final class ThinFarm implements Crowd {
     if (ended != null) {
       p.door.close();
       p.door = null;
-      p.disconnects += p.joined ? 1 : 0;
-      p.redirects += p.picture.isRedirected() ? 1 : 0;
-      failed(p, ended, nowNs);
-      if (!p.gaveUp) {
-        p.errors += p.picture.errors();
-        p.picture = new ThinPicture();
-      }
+      ended(p, ended, nowNs);
       return;
     }
     p.joined |= p.plays();
@@ -254,7 +269,7 @@ public final class ThinFarm implements Crowd {
     return new BotReport(
         (int) players.stream().filter(p -> p.joined).count(),
         players.stream().mapToInt(p -> p.disconnects).sum(),
-        players.stream().mapToInt(p -> p.errors + p.picture.errors()).sum(),
+        players.stream().mapToInt(p -> p.picture.errors()).sum(),
         snapshots / divisor,
         gap / divisor,
         rtt / divisor,

@@ -13,6 +13,8 @@ import carom.plain.Refused;
 import carom.plain.Roster;
 import carom.plain.Scores;
 import carom.plain.Snapshot;
+import carom.plain.Standby;
+import carom.plain.Welcome;
 import com.esotericsoftware.kryo.Kryo;
 import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
@@ -44,10 +46,18 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
    * Connects and asks to join.
    *
    * @param udp 0 for TCP alone
+   * @param secret of the seat to take again, 0 for none
    * @throws IOException if the server can't be reached
    */
   public PlainBot(
-      String host, Integer tcp, Integer udp, String name, String room, Consumer<Object[]> told)
+      String host,
+      Integer tcp,
+      Integer udp,
+      String name,
+      String room,
+      Long secret,
+      String token,
+      Consumer<Object[]> told)
       throws IOException {
     Log.set(Log.LEVEL_NONE);
     this.told = told;
@@ -77,8 +87,9 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
       client.stop();
       throw e;
     }
-    Join join = new Join(name);
+    Join join = new Join(name, secret);
     join.room = room;
+    join.token = token;
     client.sendTCP(join);
   }
 
@@ -124,7 +135,7 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
       tell("snapshot", s.tick, s.parts, s.input, ids, poses, s.gone);
     } else if (o instanceof Match) {
       match = ((Match) o).number;
-      tell("match", ((Match) o).player);
+      tell("match", ((Match) o).player, ((Match) o).room);
     } else if (o instanceof Roster) {
       for (Player p : ((Roster) o).players) {
         tell("ping", p.id, p.ping);
@@ -135,11 +146,16 @@ public final class PlainBot implements Consumer<int[]>, Closeable {
         tell("ping", all[i], all[i + 2]);
       }
     } else if (o instanceof Redirect) {
-      tell("redirect");
+      Redirect r = (Redirect) o;
+      tell("redirect", r.server, r.room, r.token);
+    } else if (o instanceof Welcome) {
+      tell("welcome", ((Welcome) o).secret);
+    } else if (o instanceof Standby) {
+      tell("standby", ((Standby) o).server);
     } else if (o instanceof Refused) {
-      tell("end", ((Refused) o).reason);
+      tell("refused", ((Refused) o).reason);
     } else if (o instanceof Goodbye) {
-      tell("end", ((Goodbye) o).reason);
+      tell("refused", ((Goodbye) o).reason);
     }
   }
 

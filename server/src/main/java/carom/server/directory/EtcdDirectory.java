@@ -72,7 +72,7 @@ final class EtcdDirectory implements Directory {
     return create(key, value, lease, "").number();
   }
 
-  /** The note has no value: the revision that wrote it last is the entry's number. */
+  // The note has no value: the revision that wrote it last is the entry's number.
   @Override
   public Succession succeed(String key, String value, long lease, String note)
       throws DirectoryException {

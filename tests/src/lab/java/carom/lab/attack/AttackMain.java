@@ -216,7 +216,7 @@ public final class AttackMain implements Callable<Integer> {
     while (System.nanoTime() - deadline < 0) {
       ThinPicture picture = new ThinPicture();
       String failed = "";
-      try (ThinDoor link = opener.open("Ann", "", picture)) {
+      try (ThinDoor link = opener.open("Ann", new ThinDoor.Goal("", "", "", ""), picture)) {
         while (picture.ended() == null && System.nanoTime() - deadline < 0) {
           if (picture.player() >= 0) {
             return (System.nanoTime() - start) / NS_PER_MS;

@@ -13,6 +13,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -23,6 +25,8 @@ import java.util.stream.Stream;
 public final class PlainDoor implements ThinDoor {
   /** Property with a class path for programs that aren't installed. */
   private static final String PATH = "carom.plain.path";
+
+  private static final Pattern ADDRESS = Pattern.compile("(.+?):(\\d{1,5})(?::(\\d{1,5}))?");
 
   private final ThinPicture told;
   private Consumer<int[]> bot;
@@ -53,10 +57,19 @@ public final class PlainDoor implements ThinDoor {
     } catch (ClassNotFoundException e) {
       throw new IOException("stock KryoNet isn't in " + jars + "; use an installation", e);
     }
-    return (name, room, told) -> {
+    String own = host + ":" + tcp + ":" + udp;
+    return (name, goal, told) -> {
       PlainDoor door = new PlainDoor(told);
+      Matcher at = ADDRESS.matcher(goal.server().isEmpty() ? own : goal.server());
+      if (!at.matches()) {
+        throw new IOException("server=" + goal.server() + " is no host:tcp or host:tcp:udp");
+      }
+      int there = Integer.parseInt(at.group(2));
+      int datagrams = udp == 0 || at.group(3) == null ? 0 : Integer.parseInt(at.group(3));
+      long secret = goal.secret().isEmpty() ? 0 : Long.parseLong(goal.secret());
       Consumer<Object[]> hear = door::hear;
-      door.bot = make(maker, host, tcp, udp, name, room, hear);
+      door.bot =
+          make(maker, at.group(1), there, datagrams, name, goal.room(), secret, goal.token(), hear);
       return door;
     };
   }
@@ -95,8 +108,11 @@ public final class PlainDoor implements ThinDoor {
   private void hear(Object[] what) {
     switch ((String) what[0]) {
       case "bytes" -> told.bytes((int) what[1]);
-      case "match" -> told.match((int) what[1]);
-      case "redirect" -> told.redirect();
+      case "welcome" -> told.welcome(String.valueOf(what[1]));
+      case "match" -> told.match((int) what[1], (String) what[2]);
+      case "standby" -> told.standby((String) what[1]);
+      case "redirect" -> told.redirect((String) what[1], (String) what[2], (String) what[3]);
+      case "refused" -> told.refuse((String) what[1]);
       case "end" -> told.end((String) what[1]);
       case "ping" -> {
         if ((int) what[1] == told.player()) {

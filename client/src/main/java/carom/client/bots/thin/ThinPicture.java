@@ -14,9 +14,9 @@ public final class ThinPicture {
   private static final int MOST_TICKS = 10_000;
 
   private final Map<Integer, Body> bodies = new HashMap<>();
-  private final Histogram gaps = new Histogram(MOST_MICROS, 2);
-  private final Histogram tickGaps = new Histogram(MOST_TICKS, 2);
-  private final Histogram keys = new Histogram(MOST_MICROS, 2);
+  private final Histogram gaps;
+  private final Histogram tickGaps;
+  private final Histogram keys;
   private int player = -1;
   private int tick = -1;
   private int whole = -1;
@@ -31,7 +31,11 @@ public final class ThinPicture {
   private long probeNs;
   private boolean probes;
   private int errors;
-  private boolean redirected;
+  private String room = "";
+  private String secret = "";
+  private String standby = "";
+  private ThinDoor.Goal redirect; // or null
+  private boolean refused;
   private String ended;
 
   /**
@@ -53,11 +57,39 @@ public final class ThinPicture {
   public record Shown(int tick, Map<Integer, Body> bodies) {}
 
   /** Creates an empty picture. */
-  public ThinPicture() {}
+  public ThinPicture() {
+    gaps = new Histogram(MOST_MICROS, 2);
+    tickGaps = new Histogram(MOST_TICKS, 2);
+    keys = new Histogram(MOST_MICROS, 2);
+  }
 
-  /** Begins a match: all bodies are forgotten. */
-  public synchronized void match(int newPlayer) {
+  /** Creates an empty picture for a client that goes on elsewhere, whose figures go on, too. */
+  public ThinPicture(ThinPicture before) {
+    synchronized (before) {
+      gaps = before.gaps.copy();
+      tickGaps = before.tickGaps.copy();
+      keys = before.keys.copy();
+      snapshots = before.snapshots;
+      bytesIn = before.bytesIn;
+      firstNs = before.firstNs;
+      lastNs = before.lastNs;
+      longestGapNs = before.longestGapNs;
+      errors = before.errors;
+      room = before.room;
+      secret = before.secret;
+      standby = before.standby;
+    }
+  }
+
+  /** Notes the secret of the seat, as the door writes it. */
+  public synchronized void welcome(String newSecret) {
+    secret = newSecret;
+  }
+
+  /** Begins a match in a room: all bodies are forgotten. */
+  public synchronized void match(int newPlayer, String newRoom) {
     player = newPlayer;
+    room = newRoom;
     bodies.clear();
     tick = -1;
     whole = -1;
@@ -145,9 +177,25 @@ public final class ThinPicture {
     errors++;
   }
 
-  /** Notes that the server sends the player to another one. */
-  public synchronized void redirect() {
-    redirected = true;
+  /** Notes that the server sends the player to another one, with the seat. */
+  public synchronized void redirect(String server, String there, String token) {
+    redirect = new ThinDoor.Goal(server, there, secret, token);
+  }
+
+  /** Notes where the room goes on if this server is lost; empty for nowhere. */
+  public synchronized void standby(String server) {
+    standby = server;
+  }
+
+  /** Notes that the server lets the player play no longer, and why. */
+  public synchronized void refuse(String reason) {
+    refused = true;
+    end(reason);
+  }
+
+  /** Returns whether the server lets the player play no longer. */
+  public synchronized boolean isRefused() {
+    return refused;
   }
 
   /** Notes why it is over; the first reason counts. */
@@ -217,9 +265,20 @@ public final class ThinPicture {
     return errors;
   }
 
-  /** Returns whether the server has sent the player to another one. */
-  public synchronized boolean isRedirected() {
-    return redirected;
+  /** Returns where the server has sent the player, or null. */
+  public synchronized ThinDoor.Goal redirect() {
+    return redirect;
+  }
+
+  /**
+   * Returns where the player's seat is if the connection is lost, or null if there is none.
+   *
+   * @param server the one that is lost
+   */
+  public synchronized ThinDoor.Goal seat(String server) {
+    return secret.isEmpty()
+        ? null
+        : new ThinDoor.Goal(standby.isEmpty() ? server : standby, room, secret, "");
   }
 
   /** Returns why it is over, or null. */

@@ -49,28 +49,43 @@ public final class WebDoor implements ThinDoor, WebSocket.Listener {
   public static Opener opener(String address, boolean binary) {
     HttpClient http =
         HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(PATIENCE_S)).build();
-    return (name, room, told) -> {
+    URI own = URI.create(address);
+    return (name, goal, told) -> {
       WebDoor door = new WebDoor(told);
+      URI there = goal.server().isEmpty() ? own : at(own, goal.server());
       try {
         door.socket =
-            http.newWebSocketBuilder()
-                .buildAsync(URI.create(address), door)
-                .get(PATIENCE_S, TimeUnit.SECONDS);
+            http.newWebSocketBuilder().buildAsync(there, door).get(PATIENCE_S, TimeUnit.SECONDS);
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         throw new IOException("interrupted", e);
       } catch (ExecutionException | TimeoutException e) {
-        throw new IOException(address + ": " + (e.getCause() == null ? e : e.getCause()), e);
+        throw new IOException(there + ": " + (e.getCause() == null ? e : e.getCause()), e);
       }
       door.say(
           String.format(
               Locale.ROOT,
-              "{\"join\":{\"name\":\"%s\",\"room\":\"%s\",\"binary\":%s}}",
+              "{\"join\":{\"name\":\"%s\",\"room\":\"%s\",\"binary\":%s%s%s}}",
               name,
-              room,
-              binary));
+              goal.room(),
+              binary,
+              field("secret", goal.secret()),
+              field("token", goal.token())));
       return door;
     };
+  }
+
+  private static String field(String name, String value) {
+    return value.isEmpty() ? "" : ",\"" + name + "\":\"" + value + '"';
+  }
+
+  /** Returns the same resource of another server. */
+  private static URI at(URI own, String server) throws IOException {
+    try {
+      return URI.create(own.getScheme() + "://" + server + own.getRawPath());
+    } catch (IllegalArgumentException e) {
+      throw new IOException("server=" + server + " is no address", e);
+    }
   }
 
   private synchronized void say(String message) {
@@ -126,7 +141,7 @@ public final class WebDoor implements ThinDoor, WebSocket.Listener {
     switch (name) {
       case "match" -> {
         steps.clear();
-        told.match(whole(values.get("player")));
+        told.match(whole(values.get("player")), values.get("room").text);
       }
       case "snapshot" -> snapshot(values);
       case "roster" -> {
@@ -144,8 +159,12 @@ public final class WebDoor implements ThinDoor, WebSocket.Listener {
           }
         }
       }
-      case "redirect" -> told.redirect();
-      case "refused", "goodbye" -> told.end(values.get("reason").text);
+      case "welcome" -> told.welcome(values.get("secret").text);
+      case "standby" -> told.standby(values.get("server").text);
+      case "redirect" ->
+          told.redirect(
+              values.get("server").text, values.get("room").text, values.get("token").text);
+      case "refused", "goodbye" -> told.refuse(values.get("reason").text);
       default -> {} // a bot shows nothing of it
     }
   }

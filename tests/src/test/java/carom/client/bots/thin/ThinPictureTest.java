@@ -13,7 +13,7 @@ final class ThinPictureTest {
     ThinPicture picture = new ThinPicture();
     assertFalse(picture.snapshot(7, 1, -1, 0));
     assertEquals(-1, picture.wholeTick());
-    picture.match(3);
+    picture.match(3, "");
     assertTrue(picture.snapshot(8, 1, -1, 1));
     picture.body(5, 1, 2, 0, 0, 3);
     assertEquals(8, picture.wholeTick());
