@@ -21,6 +21,7 @@ public final class PlaygroundBrain extends GradedBrain {
   private static final int DETOUR_TICKS = 45;
   private static final int DROP_TICKS = 40; // over a basket, after which it lets go
   private static final int IDLE_TICKS = 200; // without a higher tower, after which it carries
+  private static final float THERE = 4; // beside its place at the site, m
   private static final float WIDE = 40; // m within which it looks for things
 
   private Strength strength;
@@ -183,18 +184,20 @@ public final class PlaygroundBrain extends GradedBrain {
   // ---- towers
 
   private void build(Senses s, Input out) {
-    if (s.player().get(PlaygroundFields.TOWER) != height || s.tick() < higherAt) {
-      height = s.player().get(PlaygroundFields.TOWER);
-      higherAt = s.tick();
-    }
+    Level.Zone site = s.view().level().zones("site").get(0);
+    float share = (s.view().playerId() * 7 % 16 + 0.5f) / 16;
+    float x = site.minX() + 1 + share * (site.maxX() - site.minX() - 2);
     boolean isIdle = (s.tick() - higherAt) % (2 * IDLE_TICKS) > IDLE_TICKS;
+    boolean comes = !isIdle && Math.abs(x - s.own().x()) > THERE;
+    boolean isOther = s.player().get(PlaygroundFields.TOWER) != height;
+    if (comes || isOther || s.tick() < higherAt) {
+      height = s.player().get(PlaygroundFields.TOWER);
+      higherAt = s.tick(); // the way there isn't idle
+    }
     if (isIdle || s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
       carry(s, out); // its tower fell, or it has built what it can
       return;
     }
-    Level.Zone site = s.view().level().zones("site").get(0);
-    float share = (s.view().playerId() * 7 % 16 + 0.5f) / 16;
-    float x = site.minX() + 1 + share * (site.maxX() - site.minX() - 2);
     float top = site.minY();
     boolean moves = false;
     for (int i = 0; i < s.view().entityCount(); i++) {
