@@ -23,6 +23,7 @@ import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * Guards a game, so that its exceptions stop nothing. A callback that throws is reported, and the
@@ -214,13 +215,13 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public void rules(Rules r) {
-    call("rules", r, null, null, (g, rules, none, nothing) -> g.rules(rules));
-  }
-
-  @Override
-  public boolean hasRules(Level level) {
-    return game.hasRules(level);
+  public Consumer<Rules> rules(Level level) {
+    Consumer<Rules> rules = game.rules(level);
+    if (rules == null) {
+      return null;
+    }
+    Call<Rules, Void, Void> apply = (g, r, none, nothing) -> rules.accept(r);
+    return r -> call("rules", r, null, null, apply);
   }
 
   @Override

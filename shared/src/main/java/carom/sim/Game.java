@@ -15,6 +15,7 @@ import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
@@ -200,27 +201,14 @@ public interface Game {
   void input(Simulation s, Player p, Input in);
 
   /**
-   * Applies the rules that a player should notice at once: a door that opens, a pick-up that is
-   * taken; both roles, each tick after the inputs and before the {@link #forces}. Clients predict
-   * what it does. {@link Rules} says what it may read and change.
+   * Returns the rules of a level that a player should notice at once, such as a door that opens or
+   * a pick-up that is taken, or null without any. They apply in both roles, each tick after the
+   * inputs and before the {@link #forces}; clients predict what they do, and are told what they
+   * need. {@link Rules} says what they may read and change. Whether there are some is the same at
+   * every call, before {@link #setUp}, too.
    */
-  default void rules(Rules r) {}
-
-  /**
-   * Returns whether there are {@link #rules} on a level. Then clients are told what rules need. The
-   * default finds out whether the method is overridden. The same at every call, before {@link
-   * #setUp}, too.
-   */
-  default boolean hasRules(Level level) {
-    boolean isOverridden = false;
-    for (var method : getClass().getMethods()) {
-      isOverridden |=
-          method.getName().equals("rules")
-              && method.getParameterCount() == 1
-              && method.getParameterTypes()[0] == Rules.class
-              && method.getDeclaringClass() != Game.class;
-    }
-    return isOverridden;
+  default Consumer<Rules> rules(Level level) {
+    return null;
   }
 
   /**

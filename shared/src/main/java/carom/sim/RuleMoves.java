@@ -24,7 +24,7 @@ final class RuleMoves {
     this.simulation = simulation;
     this.parts = parts;
     words = parts.ruleWords;
-    moved = RuleWords.moved(parts.level, parts.game.hasRules(parts.level));
+    moved = RuleWords.moved(parts.level, parts.rules != null);
   }
 
   /** Returns the number of bodies that may be moved. */

@@ -89,9 +89,8 @@ final class RuleWords {
     return made;
   }
 
-  /** Returns the words that a level needs in a game. */
-  static RuleWords of(Game game, Level level) {
-    boolean hasRules = game.hasRules(level);
+  /** Returns the words that a level needs in a game, which may have rules. */
+  static RuleWords of(Level level, boolean hasRules) {
     return of(
         level.triggers().size(), moved(level, hasRules).size(), sensors(level, hasRules).size());
   }

@@ -38,7 +38,7 @@ final class SensorCounts {
     this.simulation = simulation;
     this.parts = parts;
     words = parts.ruleWords;
-    for (String name : RuleWords.sensors(parts.level, parts.game.hasRules(parts.level))) {
+    for (String name : RuleWords.sensors(parts.level, parts.rules != null)) {
       sensors.add(new Sensor(name, new ArrayList<>(), new ArrayList<>()));
     }
     unknownPlayers = new int[sensors.size()];

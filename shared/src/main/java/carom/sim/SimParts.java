@@ -32,6 +32,7 @@ import carom.sim.ruling.Rulings;
 import carom.sim.spawn.OwnSpawns;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The parts of a simulation: its state, and what it was made with.
@@ -76,6 +77,9 @@ final class SimParts {
 
   final Findings findings = new Findings();
   final InterferenceLog interference;
+
+  /** The rules of the game that clients run; null if it has none on this level. */
+  final Consumer<Rules> rules;
 
   /** True if there are rules that clients run: the game has some, or the level has triggers. */
   final boolean hasRules;
@@ -124,8 +128,9 @@ final class SimParts {
     areas =
         new AreaForces<>(
             world, level.areas(), (carrier, power) -> carrier.user().get(power), decides);
-    hasRules = game.hasRules(level) || !level.triggers().isEmpty();
-    ruleWords = RuleWords.of(game, level);
+    rules = game.rules(level);
+    hasRules = rules != null || !level.triggers().isEmpty();
+    ruleWords = RuleWords.of(level, rules != null);
     Schema schema = SimulationHost.schemaOf(game, level);
     joints = new JointTable<>(world, decides);
     entities =

@@ -145,7 +145,7 @@ public final class SimulationHost implements Match, Rules {
     if (game.clock() != null) {
       fields.addAll(MatchClock.fields());
     }
-    fields.addAll(RuleWords.of(game, level).fields());
+    fields.addAll(RuleWords.of(level, game.rules(level) != null).fields());
     return Schema.of(fields);
   }
 

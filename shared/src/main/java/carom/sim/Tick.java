@@ -131,11 +131,13 @@ final class Tick {
   private void applyRules() {
     Phase outer = phases.begin(Phase.RULES);
     parts.moves.drive();
-    parts.world.queryScope(geometry);
-    try {
-      game.rules(simulation);
-    } finally {
-      parts.world.queryScope(null);
+    if (parts.rules != null) {
+      parts.world.queryScope(geometry);
+      try {
+        parts.rules.accept(simulation);
+      } finally {
+        parts.world.queryScope(null);
+      }
     }
     phases.end(outer);
   }

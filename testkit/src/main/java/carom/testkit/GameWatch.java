@@ -1,12 +1,14 @@
 package carom.testkit;
 
 import carom.sim.Game;
+import carom.sim.Rules;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /** Passes all calls of a game on, and remembers what the game threw. One thread. */
@@ -40,13 +42,31 @@ final class GameWatch implements InvocationHandler {
   }
 
   @Override
+  @SuppressWarnings("unchecked") // of all that a game returns, only its rules are consumers
   public Object invoke(Object proxy, Method method, Object[] args) throws Throwable {
     try {
-      return method.invoke(game, args);
+      Object answer = method.invoke(game, args);
+      return answer instanceof Consumer<?> rules ? watched((Consumer<Rules>) rules) : answer;
     } catch (InvocationTargetException e) {
-      failures.merge(words(method.getName(), e.getCause()), 1, Integer::sum);
+      noteFailure(method.getName(), e.getCause());
       throw e.getCause();
     }
+  }
+
+  /** Returns rules whose failures are noted, too: they run after the call that returned them. */
+  private Consumer<Rules> watched(Consumer<Rules> rules) {
+    return r -> {
+      try {
+        rules.accept(r);
+      } catch (RuntimeException | Error e) {
+        noteFailure("rules", e);
+        throw e;
+      }
+    };
+  }
+
+  private void noteFailure(String callback, Throwable failure) {
+    failures.merge(words(callback, failure), 1, Integer::sum);
   }
 
   /** Returns the callback, the exception and the line of the game's own code. */

@@ -31,8 +31,7 @@ import org.junit.jupiter.api.TestFactory;
  */
 final class ClientGameFailureTest {
   /** Callbacks that a client certainly calls while it joins, and while it plays. */
-  private static final Set<String> AT_JOIN =
-      Set.of("world", "fields", "hasRules", "clock", "setUp");
+  private static final Set<String> AT_JOIN = Set.of("world", "fields", "rules", "clock", "setUp");
 
   private static final Set<String> IN_PLAY = Set.of("input", "forces", "collision", "hit");
 

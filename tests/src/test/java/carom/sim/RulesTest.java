@@ -2,7 +2,7 @@ package carom.sim;
 
 import static carom.sim.field.Scope.MATCH;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -81,8 +81,8 @@ final class RulesTest {
     }
 
     @Override
-    public void rules(Rules r) {
-      rules.accept(r);
+    public Consumer<Rules> rules(Level level) {
+      return r -> rules.accept(r);
     }
 
     @Override
@@ -248,10 +248,8 @@ final class RulesTest {
   }
 
   @Test
-  void aGameHasRulesIfItOverridesThem() {
-    assertTrue(new Given(r -> {}).hasRules(null));
-    assertTrue(new GuardedGame(new Given(r -> {}), (callback, s, e) -> {}).hasRules(null));
-    assertFalse(new PlainGame("plain").hasRules(null));
-    assertFalse(new GuardedGame(new PlainGame("plain"), (callback, s, e) -> {}).hasRules(null));
+  void aGuardedGameHasTheRulesOfItsGame() {
+    assertNotNull(new GuardedGame(new Given(r -> {}), (callback, s, e) -> {}).rules(null));
+    assertNull(new GuardedGame(new PlainGame("plain"), (callback, s, e) -> {}).rules(null));
   }
 }

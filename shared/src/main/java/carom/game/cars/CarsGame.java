@@ -23,6 +23,7 @@ import carom.sim.field.Gauge;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 
 /**
  * A race of {@value #LAPS} laps. The first car through the tunnel at the end of the last lap wins;
@@ -144,8 +145,8 @@ public final class CarsGame implements Game {
   }
 
   @Override
-  public void rules(Rules r) {
-    roadworks.rules(r);
+  public Consumer<Rules> rules(Level level) {
+    return r -> roadworks.rules(r);
   }
 
   /** Lets a car into and out of a loop. */

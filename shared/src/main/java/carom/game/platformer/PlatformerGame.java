@@ -15,6 +15,7 @@ import carom.sim.entity.Player;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The platformer, seen from the side: run, jump, collect coins, be first at the flag, beat the best
@@ -171,13 +172,8 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public boolean hasRules(Level level) {
-    return Course.hasFoes(level);
-  }
-
-  @Override
-  public void rules(Rules r) {
-    foes.rules(r);
+  public Consumer<Rules> rules(Level level) {
+    return Course.hasFoes(level) ? r -> foes.rules(r) : null;
   }
 
   @Override

@@ -25,6 +25,7 @@ import carom.sim.field.Gauge;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 
 /**
  * Players shoot rockets at each other, seen from above, and watch others while they are out. The
@@ -187,8 +188,8 @@ public final class RocketGame implements Game {
   }
 
   @Override
-  public void rules(Rules r) {
-    rocks.take(r);
+  public Consumer<Rules> rules(Level level) {
+    return r -> rocks.take(r);
   }
 
   @Override

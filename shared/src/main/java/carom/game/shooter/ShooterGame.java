@@ -20,6 +20,7 @@ import carom.sim.field.Field;
 import carom.sim.field.Gauge;
 import carom.sim.level.Level;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A platform shooter, everybody for themselves. Each has {@value #LIVES} lives. Damage grows from
@@ -162,7 +163,11 @@ public final class ShooterGame implements Game {
   }
 
   @Override
-  public void rules(Rules r) {
+  public Consumer<Rules> rules(Level level) {
+    return this::apply;
+  }
+
+  private void apply(Rules r) {
     boolean late = MatchClock.ticksLeft(r) <= r.ticks(SUDDEN_SECONDS);
     if (MatchClock.isPlaying(r) && late && !r.get(SUDDEN)) {
       r.set(SUDDEN, true);

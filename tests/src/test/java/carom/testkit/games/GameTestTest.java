@@ -40,6 +40,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -125,20 +126,24 @@ class GameTestTest {
   /** Writes in its rules what only the server knows. */
   public static final class RulesWriteSecret extends Good {
     @Override
-    public void rules(Rules r) {
-      for (Entity e : r.entities()) {
-        e.owner().add(LUCK, 1);
-      }
+    public Consumer<Rules> rules(Level level) {
+      return r -> {
+        for (Entity e : r.entities()) {
+          e.owner().add(LUCK, 1);
+        }
+      };
     }
   }
 
   /** Reads in its rules what only the server knows. */
   public static final class RulesReadSecret extends Good {
     @Override
-    public void rules(Rules r) {
-      for (Entity e : r.entities()) {
-        e.owner().add(NITRO, e.owner().get(LUCK) > 3 ? 0.1f : -0.1f);
-      }
+    public Consumer<Rules> rules(Level level) {
+      return r -> {
+        for (Entity e : r.entities()) {
+          e.owner().add(NITRO, e.owner().get(LUCK) > 3 ? 0.1f : -0.1f);
+        }
+      };
     }
   }
 
