@@ -1,6 +1,5 @@
 package carom.server;
 
-import carom.server.agones.AgonesSubject;
 import carom.server.fleet.FleetService;
 import carom.server.room.Room;
 import carom.server.web.Health;

@@ -7,7 +7,6 @@ import carom.options.NetworkConditions;
 import carom.options.Setting;
 import carom.options.Sockets;
 import carom.server.access.AddressRange;
-import carom.server.agones.AgonesFlags;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSettings;
 import carom.server.config.ServerConfig;

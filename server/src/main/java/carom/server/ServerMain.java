@@ -11,8 +11,6 @@ import carom.server.access.AccessCommands;
 import carom.server.access.AccessLists;
 import carom.server.access.AdminChat;
 import carom.server.access.Logins;
-import carom.server.agones.AgonesFlags;
-import carom.server.agones.AgonesService;
 import carom.server.command.AccountCommands;
 import carom.server.command.Caller;
 import carom.server.command.CommandRegistry;

@@ -6,7 +6,9 @@
  * log in files, and its prompt. Two more commands of the program {@code carom} work beside a
  * server: one computes a recorded game again, one asks a running server whether it is well. {@link
  * carom.server.KernelWarmupThread} warms the engine's vector kernels up in the background, by a
- * world of its own.
+ * world of its own. {@code JdbcAccounts} keeps accounts in a file of H2 or a PostgreSQL, and {@code
+ * AgonesService} tells the sidecar of a pod over HTTP how the server is, and does what labels of
+ * its GameServer say.
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.game}, {@code carom.net}, {@code
  * carom.physics..}, {@code carom.options}, {@code carom.replay}, {@code carom.text}, its own

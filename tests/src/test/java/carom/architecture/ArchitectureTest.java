@@ -434,7 +434,7 @@ final class ArchitectureTest {
   void databasesHaveTwoHomes() {
     noClasses()
         .that()
-        .resideOutsideOfPackages("carom.server.directory", "carom.server.account.jdbc")
+        .resideOutsideOfPackages("carom.server.directory", "carom.server")
         .should()
         .dependOnClassesThat()
         .resideInAnyPackage("org.postgresql..", "java.sql..", "org.h2..")

@@ -1,7 +1,5 @@
 package carom.client.bots;
 
-import carom.client.bots.thin.ThinDoor;
-import carom.client.bots.thin.ThinPicture;
 import carom.physics.math.SimRandom;
 import java.io.IOException;
 import java.util.ArrayList;

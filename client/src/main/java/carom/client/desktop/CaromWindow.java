@@ -5,8 +5,6 @@ import carom.client.GameClient;
 import carom.client.LevelSender;
 import carom.client.app.ClientOptions;
 import carom.client.app.LocalGames;
-import carom.client.desktop.edit.EditHost;
-import carom.client.desktop.edit.EditScreen;
 import carom.client.desktop.game.AudioDevice;
 import carom.client.desktop.game.EventSounds;
 import carom.client.desktop.game.SceneScreen;

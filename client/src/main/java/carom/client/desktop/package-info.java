@@ -1,7 +1,7 @@
 /**
  * The window of a client: the application, its screens with the panels that belong to one of them,
- * the input devices, and what players say: lines of chat, the line that is being written, and
- * emotes.
+ * the input devices, what players say, and the window of the level editor. What is edited, and how,
+ * is {@code carom.client.edit}'s.
  *
  * <p>This package and its subpackages are the only home of the window toolkit (libGDX). A screen
  * reads a {@code ClientView} once per frame and hands the player's input back. It never touches the
@@ -11,8 +11,9 @@
  * desktop ──► game ──► hud ──► paint ◄── menu ◄── desktop
  * </pre>
  *
- * <p>Imports {@code carom.client..}, {@code carom.net.transport}, {@code carom.net.kryo} and {@code
- * carom.sim}. Read first: {@link carom.client.desktop.DesktopLauncher}, {@link
- * carom.client.desktop.CaromWindow}, {@link carom.client.desktop.GameScreen}.
+ * <p>Imports {@code carom.client..}, {@code carom.net.transport}, {@code carom.net.kryo} {@code
+ * carom.sim..}, {@code carom.text} and {@code carom.physics..}. Read first: {@link
+ * carom.client.desktop.DesktopLauncher}, {@link carom.client.desktop.CaromWindow}, {@link
+ * carom.client.desktop.GameScreen}, {@link carom.client.desktop.EditScreen}.
  */
 package carom.client.desktop;

@@ -28,9 +28,9 @@ import java.util.function.Consumer;
 
 /**
  * A connection of a bot by stock KryoNet and Kryo. It shares no class path with Carom's Kryo 5, so
- * it speaks to {@code carom.client.bots.thin} by types of the JDK alone: {@link #accept} takes
- * {@code {count, seen, buttons, moveX, moveY, aim}} as floats' bits, and what is told goes out as
- * an array whose first element is its name.
+ * it speaks to {@code carom.client.bots} by types of the JDK alone: {@link #accept} takes {@code
+ * {count, seen, buttons, moveX, moveY, aim}} as floats' bits, and what is told goes out as an array
+ * whose first element is its name.
  */
 public final class PlainBot implements Consumer<int[]>, Closeable {
   private static final int BUFFER_BYTES = 65536;

@@ -1,7 +1,7 @@
 package carom.lab.attack;
 
-import carom.client.bots.thin.ThinDoor;
-import carom.client.bots.thin.ThinPicture;
+import carom.client.bots.ThinDoor;
+import carom.client.bots.ThinPicture;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;

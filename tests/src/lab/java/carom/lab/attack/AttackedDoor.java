@@ -1,8 +1,8 @@
 package carom.lab.attack;
 
-import carom.client.bots.thin.PlainDoor;
-import carom.client.bots.thin.ThinDoor;
-import carom.client.bots.thin.WebDoor;
+import carom.client.bots.PlainDoor;
+import carom.client.bots.ThinDoor;
+import carom.client.bots.WebDoor;
 import java.io.IOException;
 import java.util.List;
 

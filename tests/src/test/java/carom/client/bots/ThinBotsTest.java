@@ -3,8 +3,6 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.bots.thin.PlainDoor;
-import carom.client.bots.thin.ThinPicture;
 import carom.fixtures.OutsideRelay;
 import carom.game.Games;
 import carom.net.kryo.server.KryoServerTransport;

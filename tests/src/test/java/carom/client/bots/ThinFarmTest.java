@@ -3,9 +3,7 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.bots.thin.ThinDoor;
-import carom.client.bots.thin.ThinDoor.Goal;
-import carom.client.bots.thin.ThinPicture;
+import carom.client.bots.ThinDoor.Goal;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;

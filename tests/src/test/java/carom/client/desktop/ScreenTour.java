@@ -2,7 +2,6 @@ package carom.client.desktop;
 
 import carom.client.app.ClientMain;
 import carom.client.app.LocalGames;
-import carom.client.desktop.edit.EditScreen;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.hud.PlayerColours;
 import carom.client.desktop.hud.Readiness;

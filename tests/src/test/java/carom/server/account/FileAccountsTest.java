@@ -3,7 +3,7 @@ package carom.server.account;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.server.account.jdbc.JdbcAccounts;
+import carom.server.JdbcAccounts;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;

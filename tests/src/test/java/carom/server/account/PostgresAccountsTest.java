@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.server.account.jdbc.JdbcAccounts;
+import carom.server.JdbcAccounts;
 import carom.server.directory.PostgresProgram;
 import carom.suite.Needs;
 import java.io.IOException;

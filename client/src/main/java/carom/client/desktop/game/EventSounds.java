@@ -1,8 +1,6 @@
 package carom.client.desktop.game;
 
 import carom.client.EventListener;
-import carom.client.desktop.look.HeardEffects;
-import carom.client.desktop.look.ShownLook;
 import carom.client.look.Effect;
 import carom.client.look.LookFiles;
 import carom.client.look.SoundFile;

@@ -1,7 +1,5 @@
 package carom.client.desktop.game;
 
-import carom.client.desktop.look.BlowListener;
-import carom.client.desktop.look.SeenEntities;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.UiColours;
 import carom.client.view.ClientView;

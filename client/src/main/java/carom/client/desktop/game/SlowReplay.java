@@ -1,6 +1,5 @@
 package carom.client.desktop.game;
 
-import carom.client.desktop.look.ShownLook;
 import carom.client.look.Effect;
 import carom.client.look.SlowMotion;
 import carom.client.view.ClientView;

@@ -1,8 +1,6 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.hud.PlayerColours;
-import carom.client.desktop.look.LookPainter;
-import carom.client.desktop.look.Scenery;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.PictureParts;
 import carom.client.desktop.paint.ShapePainter;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.EventReconciler;
-import carom.client.desktop.look.ShownLook;
 import carom.client.look.GameView;
 import carom.client.look.GameViews;
 import carom.client.look.Shake;

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.desktop.look.ShownLook;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
