@@ -46,6 +46,11 @@ final class BotMatch {
     /** Returns how far a player is, of a match that isn't played to its end. */
     int points(HostPlayer p);
 
+    /** Returns a number that changes whenever a player does something that needs no way. */
+    default int acts(HostPlayer p) {
+      return 0;
+    }
+
     /** Returns whether a player has a reason to stay where it is. */
     default boolean mayStay(HostPlayer p) {
       return p.entity() == null;
@@ -101,6 +106,7 @@ final class BotMatch {
       float[] x = new float[2];
       float[] y = new float[2];
       double[] movedAt = {begin, begin};
+      int[] acts = {judge.acts(s.player(0)), judge.acts(s.player(1))};
       while (MatchClock.isPlaying(s) && seconds < most) {
         stepper.step(5);
         double now = stepper.nowNs() / 1e9;
@@ -111,7 +117,8 @@ final class BotMatch {
         }
         for (int i = 0; i < 2; i++) {
           HostPlayer p = s.player(i);
-          boolean stays = !judge.mayStay(p);
+          boolean stays = !judge.mayStay(p) && judge.acts(p) == acts[i];
+          acts[i] = judge.acts(p);
           if (!stays || Math.hypot(p.entity().x() - x[i], p.entity().y() - y[i]) > 1) {
             x[i] = p.entity() == null ? 0 : p.entity().x();
             y[i] = p.entity() == null ? 0 : p.entity().y();
