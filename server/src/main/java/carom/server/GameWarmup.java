@@ -49,8 +49,8 @@ final class GameWarmup {
   private static final long MAX_NS = 400_000_000L;
 
   /**
-   * Whether a server that is alone opens after a tick, as where programs start many that nobody
-   * plays on for long; its first players may wait.
+   * True if a server that is alone opens after one tick, as where a program starts many servers
+   * that nobody plays on for long; its first players may wait.
    */
   private static final boolean COLD = Boolean.getBoolean("carom.cold");
 

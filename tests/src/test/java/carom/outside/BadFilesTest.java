@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Needs("processes")
 @Timeout(600)
 final class BadFilesTest {
-  private static final int DRAWN = 12;
+  private static final int DRAWN = 8;
 
   /** Matches words of the JDK; {@code true, false or null} are words of JSON. */
   private static final Pattern BARE =
