@@ -136,6 +136,7 @@ final class Substeps {
         jointSolver.settle(solverBodies);
         afterJoints();
       }
+      limit(dt, true);
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(phases);
       if (jointsToo) {
@@ -151,6 +152,7 @@ final class Substeps {
         jointSolver.absorb();
         afterJoints();
       }
+      limit(dt, false);
     }
     begins(StepStage.FINISH);
     contactSolver.store(phases);
@@ -173,6 +175,15 @@ final class Substeps {
   }
 
   /** Begins a stage. Where stages are measured, each ends before the next one begins. */
+  /** Takes energy away from what joints hold together, if there is more than can be. */
+  private void limit(float dt, boolean moves) {
+    if (jointSolver.limits()) {
+      beforeJoints();
+      jointSolver.limit(solverBodies, contacts, dt, moves);
+      afterJoints();
+    }
+  }
+
   private void begins(StepStage stage) {
     if (stages != null) {
       phases.run();

@@ -1,8 +1,10 @@
 package carom.physics.dynamics.jointsolver;
 
+import static carom.physics.dynamics.domain.SolverBodies.COS;
 import static carom.physics.dynamics.domain.SolverBodies.DX;
 import static carom.physics.dynamics.domain.SolverBodies.DY;
 import static carom.physics.dynamics.domain.SolverBodies.MAX_ROTATION;
+import static carom.physics.dynamics.domain.SolverBodies.SIN;
 import static carom.physics.dynamics.domain.SolverBodies.STRIDE;
 import static carom.physics.dynamics.domain.SolverBodies.VELOCITY;
 import static carom.physics.dynamics.domain.SolverBodies.VX;
@@ -10,9 +12,12 @@ import static carom.physics.dynamics.domain.SolverBodies.VY;
 import static carom.physics.dynamics.domain.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeResponse;
+import carom.physics.math.Trig;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
 
@@ -47,11 +52,22 @@ import java.util.function.IntPredicate;
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
 final class JointGroups {
+  /** Most pairs of visits, there and back, that follow where one visit of each joint finds much. */
+  static final int MOST_PAIRS = 8;
+
   /** Energy that biased visits change, in parts of the group's, from which more visits follow. */
   private static final double MUCH = 5e-4;
 
   /** The same for groups with springs, turning motors, gears, racks or pulleys. */
   private static final double LITTLE = 5e-5;
+
+  /** Part of its energy that a troubled group may gain in a step, for the errors of steps. */
+  private static final double GRAIN = 0.002;
+
+  /** Times of its energy, and speed of all of it, m/s, with which anchors may be drawn together. */
+  private static final double PULL = 4;
+
+  private static final double PULL_SPEED = 3;
 
   /** Joints per body from which hinges are a net. */
   private static final float NET = 1.5f;
@@ -139,6 +155,25 @@ final class JointGroups {
 
   /** Per group: energy that its springs have got in this substep, J. */
   private double[] stored = new double[0];
+
+  /** Per group: energy that its springs held when the step began, and hold now, J. */
+  private double[] springsBefore = new double[0];
+
+  private double[] springsNow = new double[0];
+
+  /** Whether no substep has begun in this step. */
+  private boolean isFirst;
+
+  /** Per group: whether eight pairs of visits didn't settle it in this step. */
+  private boolean[] isTroubled = new boolean[0];
+
+  private boolean anyTroubled;
+
+  /** Per group: energy that what touches it may give it, J; infinite for any. */
+  private double[] given = new double[0];
+
+  /** Per group: whether it touches what can't be moved. */
+  private boolean[] isPropped = new boolean[0];
 
   /** Per group: whether it gets more visits already where these change little. */
   private boolean[] isFine = new boolean[0];
@@ -296,6 +331,11 @@ final class JointGroups {
     isFed = new boolean[capacity];
     isSprung = new boolean[capacity];
     stored = new double[capacity];
+    springsBefore = new double[capacity];
+    springsNow = new double[capacity];
+    isTroubled = new boolean[capacity];
+    given = new double[capacity];
+    isPropped = new boolean[capacity];
     isFine = new boolean[capacity];
     isCarried = new boolean[capacity];
     more = new boolean[capacity];
@@ -396,6 +436,9 @@ final class JointGroups {
   /** Begins a step of substeps of h seconds: looks at masses, and at what gives groups energy. */
   void beginStep(int[] slotOf, float h) {
     mostSpin = MAX_ROTATION / h;
+    isFirst = true;
+    anyTroubled = false;
+    Arrays.fill(isTroubled, 0, count, false);
     for (int i = 0; i < watched; i++) {
       int slot = body[i];
       place[i] = slotOf[slot];
@@ -467,9 +510,17 @@ final class JointGroups {
     return isSprung[group];
   }
 
-  /** Adds to what the springs of a group have got since {@link #hold} was called, J. */
-  void addStored(int group, double joules) {
-    stored[group] += joules;
+  /**
+   * Notes what the springs of a group hold. The difference of two notes is what they have got.
+   *
+   * @param sign -1 as a substep begins, 1 as it ends
+   */
+  void noteSprings(int group, double joules, int sign) {
+    stored[group] += sign * joules;
+    springsNow[group] = joules;
+    if (isFirst) {
+      springsBefore[group] = joules;
+    }
   }
 
   /** Returns whether a joint is of a group that isn't watched. */
@@ -581,6 +632,7 @@ final class JointGroups {
 
   /** Notes what the first impulses of a substep changed. */
   void begin(float[] v, float[] before) {
+    isFirst = false;
     Arrays.fill(change, 0, 3 * tendedCount, 0);
     note(v, before);
   }
@@ -657,6 +709,8 @@ final class JointGroups {
       more[g] &= 0.5 * square[g] > (isFine[g] ? LITTLE : MUCH) * energy[g];
       pairs[g] += more[g] ? 1 : 0;
       any |= more[g];
+      isTroubled[g] |= pairs[g] == MOST_PAIRS;
+      anyTroubled |= isTroubled[g];
     }
     if (!any) {
       return false;
@@ -710,9 +764,9 @@ final class JointGroups {
       if (share[g] < 1 && isTorn(g, torn)) {
         share[g] = 1;
       }
-      any |= share[g] < 1;
       double left = share[g] * (product[g] + 0.5 * share[g] * square[g]) + stored[g];
-      stored[g] = share[g] < 1 && isSprung[g] ? Math.max(left, 0) : 0;
+      stored[g] = isSprung[g] ? Math.max(left, 0) : 0;
+      any |= share[g] < 1 || stored[g] > 0;
     }
     if (any) {
       holdBack(v);
@@ -739,19 +793,125 @@ final class JointGroups {
         v[at + W] -= (float) (back * change[3 * i + 2]);
       }
     }
-    int from = 0;
-    while (from < tendedCount) {
+    for (int from = 0; from < tendedCount; from = end(from)) {
       int g = groupOf[tended[from]];
-      int to = from + 1;
-      while (to < tendedCount && groupOf[tended[to]] == g) {
-        to++;
-      }
       if (stored[g] > 0) {
-        slow(from, to, isFree[g], stored[g], v);
+        slow(from, end(from), isFree[g], stored[g], v);
         stored[g] = 0;
       }
-      from = to;
     }
+  }
+
+  /** Returns where the tended bodies of a group end that begins there. */
+  private int end(int from) {
+    int to = from + 1;
+    while (to < tendedCount && groupOf[tended[to]] == groupOf[tended[from]]) {
+      to++;
+    }
+    return to;
+  }
+
+  /** Returns whether a group is in trouble, for which {@link #limit} is. */
+  boolean anyTroubled() {
+    return anyTroubled;
+  }
+
+  /**
+   * The last net: slows groups in trouble that have more energy than when the step began, than
+   * gravity and forces have given them since, and than what touches them has. Weighing and holding
+   * compare with the velocities of before joints, in which the impulses of contacts may be that
+   * only joints balance; so they don't notice what a light link gets of a heavy load.
+   *
+   * @param v state of the bodies
+   * @param contacts touch the groups
+   * @param s tell gravity
+   * @param stepS length of the step, s
+   * @param pulled null, or, if bodies move next with what draws their anchors together, which
+   *     joints may pull as they like
+   */
+  void limit(float[] v, ContactTable contacts, Settings s, double stepS, IntPredicate pulled) {
+    boolean known = false;
+    double fall = (double) s.gravityX() * s.gravityX() + (double) s.gravityY() * s.gravityY();
+    fall *= 0.5 * stepS * stepS / s.substeps();
+    for (int from = 0; from < tendedCount; from = end(from)) {
+      int g = groupOf[tended[from]];
+      if (!isTroubled[g] || (pulled != null && isTorn(g, pulled))) {
+        continue;
+      }
+      int to = end(from);
+      double before = 0;
+      double now = 0;
+      double m = 0;
+      for (int i = from; i < to; i++) {
+        int slot = body[tended[i]];
+        int at = place[tended[i]] * STRIDE;
+        m += mass[tended[i]];
+        before += kinetic(tended[i], bodies.vx[slot], bodies.vy[slot], bodies.w[slot]);
+        before += work(slot, mass[tended[i]] * bodies.gravityScale[slot], v, at, s);
+        now += kinetic(tended[i], v[at + VX], v[at + VY], v[at + W]);
+      }
+      before += isSprung[g] ? springsBefore[g] - springsNow[g] : 0;
+      before = Math.max(before, 0);
+      double most = (1 + GRAIN) * before + m * fall;
+      most =
+          pulled != null ? Math.max(most, PULL * before + 0.5 * m * PULL_SPEED * PULL_SPEED) : most;
+      if (now > most && !known) {
+        known = true;
+        findTouching(contacts);
+      }
+      if (now > most + given[g]) {
+        slow(from, to, isFree[g] && !isPropped[g], now - most - given[g], v);
+      }
+    }
+  }
+
+  private double kinetic(int member, double vx, double vy, double w) {
+    return 0.5 * (mass[member] * (vx * vx + vy * vy) + inertia[member] * w * w);
+  }
+
+  /** Returns what gravity and forces have done on the way of a body since the step began, J. */
+  private double work(int slot, double heavy, float[] v, int at, Settings s) {
+    double x = heavy * s.gravityX() + bodies.forceX[slot];
+    double y = heavy * s.gravityY() + bodies.forceY[slot];
+    double turning = bodies.torque[slot];
+    double work = x * v[at + DX] + y * v[at + DY];
+    return turning == 0 ? work : work + turning * Trig.atan2(v[at + SIN], v[at + COS]);
+  }
+
+  /** Finds what touches groups, and so may give them energy. */
+  private void findTouching(ContactTable contacts) {
+    clear(given);
+    Arrays.fill(isPropped, 0, count, false);
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.points[row] > 0) {
+        int a = contacts.bodyA(row);
+        int b = contacts.bodyB(row);
+        boolean belt = contacts.material[row * ContactTable.MATERIAL + ContactTable.SURFACE] != 0;
+        addTouching(a, b, belt);
+        addTouching(b, a, belt);
+      }
+    }
+  }
+
+  private void addTouching(int slot, int other, boolean belt) {
+    int g = group(slot);
+    if (g < 0 || (g == group(other) && !belt)) {
+      return;
+    }
+    if (belt || isMoving(other) || group(other) >= 0) {
+      given[g] = Double.POSITIVE_INFINITY;
+    } else if (isMovable(other)) {
+      double vx = bodies.vx[other];
+      double vy = bodies.vy[other];
+      given[g] += 0.5 * (vx * vx + vy * vy) / bodies.invMass[other];
+    } else {
+      isPropped[g] = true;
+    }
+  }
+
+  /** Returns the group of a body, -1 for none. */
+  private int group(int slot) {
+    return isMovable(slot) && seen[slot] == search ? groupAt[slot] : -1;
   }
 
   /**

@@ -1,6 +1,7 @@
 package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
@@ -42,9 +43,6 @@ public final class JointSolver {
   /** Group of joints that have no colour, because a tree solves all of them. */
   private static final int NO_GROUP = -1;
 
-  /** Most pairs of visits, there and back, that follow where one visit of each joint finds much. */
-  private static final int MORE = 8;
-
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
 
@@ -71,6 +69,7 @@ public final class JointSolver {
   private JointStore store;
   private BodyStore bodies;
   private int[] slotOf;
+  private Settings settings;
   private float inverseH;
   private int count;
 
@@ -163,6 +162,7 @@ public final class JointSolver {
   public void prepare(
       JointStore j, BodyStore bodyStore, Settings s, float h, SolverBodies solverBodies) {
     slotOf = solverBodies.slotOf();
+    settings = s;
     inverseH = 1 / h;
     if (anew) {
       assignColours(solverBodies.count());
@@ -352,10 +352,10 @@ public final class JointSolver {
     }
     treeSolver.applyBiasedImpulses();
     boolean more = groups.needMore(b.state, b.beforeJoints());
-    for (int n = 0; more && n < MORE; n++) {
+    for (int n = 0; more && n < JointGroups.MOST_PAIRS; n++) {
       visitMore(n, false, true);
       visitMore(n, true, true);
-      more = n + 1 < MORE && groups.stillNeedMore(b.state);
+      more = n + 1 < JointGroups.MOST_PAIRS && groups.stillNeedMore(b.state);
     }
     groups.note(b.state, b.beforeJoints());
   }
@@ -433,13 +433,31 @@ public final class JointSolver {
   /** Adds what the springs of groups hold, whose energy is held, with a sign. */
   private void addSprings(int sign) {
     for (int g = 0; g < groups.count(); g++) {
-      for (int at = groups.start(g); groups.isSprung(g) && at < groups.start(g + 1); at++) {
-        int i = groups.joint(at);
-        if (store.hasSpring(found[i])) {
-          groups.addStored(g, sign * visits[0].springEnergy(place[i], sign > 0));
+      if (groups.isSprung(g)) {
+        double joules = 0;
+        for (int at = groups.start(g); at < groups.start(g + 1); at++) {
+          int i = groups.joint(at);
+          joules += store.hasSpring(found[i]) ? visits[0].springEnergy(place[i], sign > 0) : 0;
         }
+        groups.noteSprings(g, joules, sign);
       }
     }
+  }
+
+  /** Returns whether {@link #limit} does anything. */
+  public boolean limits() {
+    return groups.anyTroubled();
+  }
+
+  /**
+   * Takes energy away from groups of joints that have more than they can have.
+   *
+   * @param contacts touch them
+   * @param dt length of the step, s
+   * @param pulls whether bodies move next, with what draws their anchors together
+   */
+  public void limit(SolverBodies b, ContactTable contacts, float dt, boolean pulls) {
+    groups.limit(b.state, contacts, settings, dt, pulls ? torn : null);
   }
 
   /** Returns whether the anchors of a joint, given by its index, are far apart. */
