@@ -1,11 +1,14 @@
 package carom.physics.laws;
 
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import carom.physics.laws.Assembly.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Laws of joints, held against assemblies that are drawn at random.
@@ -35,6 +38,23 @@ final class AssemblyLawTest {
   void sprungAssembliesGainNoEnergy() {
     hold(Kind.SPRUNG, 10, 250, 1, AssemblyLawTest::gain);
     hold(Kind.SPRUNG, 10_000, 250, 2, AssemblyLawTest::gain);
+  }
+
+  /** What a light link between heavy ones got of a floor's impulses, times what was put in. */
+  @ParameterizedTest
+  @CsvSource({
+    "RIGID, 10000, 639", // 31,710
+    "RIGID, 10000, 1070", // 14
+    "RIGID, 10000, 1497", // 152,022
+    "RIGID, 10000, 1577", // 851,370
+    "RIGID, 1000, 500592", // 0.4
+    "SPRUNG, 1000, 12", // 182
+    "SPRUNG, 10, 417", // 4
+    "SPRUNG, 100, 1390", // 0.6
+    "SPRUNG, 10000, 1268" // 62
+  })
+  void assembliesInTroubleGainNoEnergy(Kind kind, double ratio, long seed) {
+    assertNull(gain(new Assembly(seed, kind, ratio, 0)));
   }
 
   @Test

@@ -27,7 +27,7 @@ import java.util.function.IntPredicate;
  *
  * <p>Of all impulses that joints can exert, those that hold them leave the least kinetic energy
  * (Gauss's principle), and each visit of a row comes nearer to that. So where joints without
- * springs and motors add energy, something went wrong. It can in three places:
+ * springs and motors add energy, something went wrong. It can in four places:
  *
  * <ul>
  *   <li><b>Warm start.</b> The impulses of the last substep are a guess. They also contain what
@@ -38,6 +38,9 @@ import java.util.function.IntPredicate;
  *       a part of the errors. Where it found much, more visits follow ({@link #needMore}).
  *   <li><b>Bias.</b> What draws anchors together is taken out again by the visits after bodies
  *       moved. What they miss is held back ({@link #hold}).
+ *   <li><b>Contacts.</b> Their old impulses may be such that only joints balance them, and what is
+ *       measured from the velocities of before joints is then no bound. Groups that all visits
+ *       didn't settle are compared with what they had when the step began ({@link #limit}).
  * </ul>
  *
  * <p>With the velocities v before, their change u and the masses M, a share s of u changes the
@@ -68,6 +71,9 @@ final class JointGroups {
   private static final double PULL = 4;
 
   private static final double PULL_SPEED = 3;
+
+  /** Energy that trees change, in parts of their group's, from which it is in trouble. */
+  private static final double BLOW = 0.1;
 
   /** Joints per body from which hinges are a net. */
   private static final float NET = 1.5f;
@@ -679,8 +685,11 @@ final class JointGroups {
       square[groupOf[i]] += mass[i] * (ux * ux + uy * uy) + inertia[i] * uw * uw;
     }
     for (int g = 0; g < count; g++) {
-      more[g] = !isPlain[g] && start[g] < start[g + 1];
+      boolean treeAlone = start[g] == start[g + 1];
+      more[g] = !isPlain[g] && !treeAlone;
       pairs[g] = 0;
+      isTroubled[g] |= treeAlone && 0.5 * square[g] > BLOW * energy[g];
+      anyTroubled |= isTroubled[g];
     }
     mostPairs = 0;
     return grantPairs(v);
@@ -826,16 +835,22 @@ final class JointGroups {
    * @param contacts touch the groups
    * @param s tell gravity
    * @param stepS length of the step, s
-   * @param pulled null, or, if bodies move next with what draws their anchors together, which
-   *     joints may pull as they like
+   * @param torn tells which joints may pull as they like
+   * @param pulls whether bodies move next, with what draws their anchors together
    */
-  void limit(float[] v, ContactTable contacts, Settings s, double stepS, IntPredicate pulled) {
+  void limit(
+      float[] v,
+      ContactTable contacts,
+      Settings s,
+      double stepS,
+      IntPredicate torn,
+      boolean pulls) {
     boolean known = false;
     double fall = (double) s.gravityX() * s.gravityX() + (double) s.gravityY() * s.gravityY();
     fall *= 0.5 * stepS * stepS / s.substeps();
     for (int from = 0; from < tendedCount; from = end(from)) {
       int g = groupOf[tended[from]];
-      if (!isTroubled[g] || (pulled != null && isTorn(g, pulled))) {
+      if (!isTroubled[g] || (pulls && isTorn(g, torn))) {
         continue;
       }
       int to = end(from);
@@ -853,14 +868,20 @@ final class JointGroups {
       before += isSprung[g] ? springsBefore[g] - springsNow[g] : 0;
       before = Math.max(before, 0);
       double most = (1 + GRAIN) * before + m * fall;
-      most =
-          pulled != null ? Math.max(most, PULL * before + 0.5 * m * PULL_SPEED * PULL_SPEED) : most;
+      most = pulls ? Math.max(most, PULL * before + 0.5 * m * PULL_SPEED * PULL_SPEED) : most;
       if (now > most && !known) {
         known = true;
         findTouching(contacts);
       }
       if (now > most + given[g]) {
-        slow(from, to, isFree[g] && !isPropped[g], now - most - given[g], v);
+        double left = now - most - given[g];
+        boolean keeps = isFree[g] && !isPropped[g];
+        if (keeps) {
+          left = slow(from, to, true, left, v);
+        }
+        if (!keeps || (left > most && !isTorn(g, torn))) { // such momentum isn't its own
+          slow(from, to, false, left, v);
+        }
       }
     }
   }
@@ -920,8 +941,9 @@ final class JointGroups {
    *
    * @param from its first tended body
    * @param to the end of these
+   * @return what there wasn't to be taken, J
    */
-  private void slow(int from, int to, boolean free, double joules, float[] v) {
+  private double slow(int from, int to, boolean free, double joules, float[] v) {
     double m = 0;
     double x = 0;
     double y = 0;
@@ -973,5 +995,6 @@ final class JointGroups {
       v[at + VY] -= (float) (lost * change[3 * i + 1]);
       v[at + W] -= (float) (lost * change[3 * i + 2]);
     }
+    return Math.max(joules - sum, 0);
   }
 }

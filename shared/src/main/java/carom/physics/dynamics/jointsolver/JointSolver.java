@@ -457,7 +457,7 @@ public final class JointSolver {
    * @param pulls whether bodies move next, with what draws their anchors together
    */
   public void limit(SolverBodies b, ContactTable contacts, float dt, boolean pulls) {
-    groups.limit(b.state, contacts, settings, dt, pulls ? torn : null);
+    groups.limit(b.state, contacts, settings, dt, torn, pulls);
   }
 
   /** Returns whether the anchors of a joint, given by its index, are far apart. */
