@@ -440,6 +440,13 @@ public final class ServerConfig extends Settings<ServerConfig> {
               "Address or network of a proxy (127.0.0.1, 10.0.0.0/8) before the play port: its"
                   + " players come from where X-Forwarded-For says; give it once for each.");
 
+  public static final Setting<String> PLAY_ADVERTISE =
+      ROWS.text("play-advertise", "HOST:PORT", null)
+          .text(
+              "Address of the proxy before the play port, at which browsers and thin clients that"
+                  + " the other servers of a fleet send here come in (that of --advertise, and none"
+                  + " with --play-behind).");
+
   public static final Setting<Path> TLS_CERT =
       ROWS.path("tls-cert", "FILE", null)
           .text(

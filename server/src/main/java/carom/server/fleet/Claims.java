@@ -24,7 +24,7 @@ final class Claims {
     private final Ownership ownership;
     private volatile long number;
 
-    /** The record that the directory was told last. */
+    /** The record that the directory was told last; while it is handed over, any thread's. */
     String told;
 
     /** When it is told next; 0 before the room is built. */
@@ -154,17 +154,21 @@ final class Claims {
     claims.remove(claim.room());
   }
 
-  /** Gives a room up for its follower; if that one is gone, any other server may go on with it. */
-  void leave(Claim claim) throws DirectoryException {
+  /**
+   * Tells that a room is about to be released for its follower; if that one is gone, any other
+   * server may go on with it.
+   *
+   * @return false if the room is another server's by now
+   */
+  boolean leave(Claim claim) throws DirectoryException {
     try {
-      RoomRecord last = RoomRecord.parse(claim.told).leaving(claim.follower);
-      directory.update(claim.key(), last.toJson(), claim.number);
+      claim.told = RoomRecord.parse(claim.told).leaving(claim.follower).toJson();
+      return directory.update(claim.key(), claim.told, claim.number);
     } catch (DirectoryException e) {
       throw e;
     } catch (IOException e) {
       throw new IllegalStateException("a record of our own can't be read", e);
     }
-    release(claim);
   }
 
   /** Gives a room up, so that another server may claim it. */

@@ -32,7 +32,11 @@ public final class FleetFlags {
       }
       return config.get(ServerConfig.FLEET_KEY) != null
           ? "--fleet-key needs --fleet"
-          : advertise != null ? "--advertise needs --fleet" : null;
+          : advertise != null
+              ? "--advertise needs --fleet"
+              : config.get(ServerConfig.PLAY_ADVERTISE) != null
+                  ? "--play-advertise needs --fleet"
+                  : null;
     }
     if (config.get(ServerConfig.FLEET_KEY) == null) {
       return "--fleet needs --fleet-key FILE, the same key on every server of the fleet";

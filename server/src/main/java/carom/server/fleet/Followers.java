@@ -281,9 +281,26 @@ final class Followers implements AutoCloseable {
     claim.handedOver = true;
     long to = claim.movesTo;
     ServerRecord server = view.servers().get(to);
-    room.handOver(
-        door -> server == null ? null : server.redirect(door, claim.room(), ""),
-        () -> asks.execute(() -> giveAway(claim, room, to)));
+    asks.execute(
+        () -> {
+          if (mayLeave(claim)) { // while the room still plays
+            room.handOver(
+                door -> server == null ? null : server.redirect(door, claim.room(), ""),
+                () -> asks.execute(() -> giveAway(claim, room, to)));
+          } else {
+            claim.movesTo = 0;
+            claim.handedOver = false;
+          }
+        });
+  }
+
+  private boolean mayLeave(Claims.Claim claim) {
+    try {
+      return claims.leave(claim);
+    } catch (DirectoryException e) {
+      LOG.error("room={} stays: {}", claim.room(), e.getMessage());
+      return false;
+    }
   }
 
   /** Gives a room that has ended here to its follower, who has all of it by then. */
@@ -302,7 +319,7 @@ final class Followers implements AutoCloseable {
           "room={} is given up, and another server begins it: {}", claim.room(), e.toString());
     }
     try {
-      claims.leave(claim);
+      claims.release(claim);
       LOG.info("moved room={} tick={}", claim.room(), room.tick());
       news.movedOut(claim.room(), view.nameOf(to));
     } catch (DirectoryException e) {

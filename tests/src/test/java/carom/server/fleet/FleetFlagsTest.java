@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import carom.server.config.ServerConfig;
+import carom.server.thin.web.PlayFlags;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
@@ -31,6 +32,24 @@ class FleetFlagsTest {
     assertEquals(
         "--advertise=a b must be HOST, HOST:TCP or HOST:TCP:UDP, such as a.example.org:54555",
         FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, "a b"), false));
+  }
+
+  @Test
+  void aProxyBeforeThePlayPortHasAnAddress() {
+    ServerConfig given =
+        FLEET.with(ServerConfig.PLAY_PORT, 8080).with(ServerConfig.PLAY_ADVERTISE, "a.example:443");
+    assertNull(FleetFlags.problem(given, false));
+    assertNull(PlayFlags.problem(given));
+    assertEquals(
+        "--play-advertise needs --fleet",
+        FleetFlags.problem(
+            ServerConfig.defaults().with(ServerConfig.PLAY_ADVERTISE, "a.example:443"), false));
+    assertEquals(
+        "--play-advertise needs --play-port",
+        PlayFlags.problem(given.with(ServerConfig.PLAY_PORT, null)));
+    assertEquals(
+        "--play-advertise=a.example must be HOST:PORT, such as a.example.org:443",
+        PlayFlags.problem(given.with(ServerConfig.PLAY_ADVERTISE, "a.example")));
   }
 
   @Test

@@ -8,12 +8,15 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** The flags of the play port: the door to thin clients of every language and browser. */
 public final class PlayFlags {
+  private static final Pattern ADDRESS = Pattern.compile("(\\[[\\da-fA-F:.]+]|[-.\\w]+):\\d{1,5}");
+
   private PlayFlags() {}
 
   /** Returns what is wrong with the flags, or null. */
@@ -21,11 +24,16 @@ public final class PlayFlags {
     Integer playPort = config.get(ServerConfig.PLAY_PORT);
     Path tlsCert = config.get(ServerConfig.TLS_CERT);
     Path tlsKey = config.get(ServerConfig.TLS_KEY);
+    String advertise = config.get(ServerConfig.PLAY_ADVERTISE);
     return Sockets.first(
         (tlsCert == null) == (tlsKey == null)
             ? null
             : (tlsCert == null ? "--tls-key needs --tls-cert" : "--tls-cert needs --tls-key"),
         playPort == null && tlsCert != null ? "--tls-cert needs --play-port" : null,
+        playPort == null && advertise != null ? "--play-advertise needs --play-port" : null,
+        advertise != null && !ADDRESS.matcher(advertise).matches()
+            ? "--play-advertise=" + advertise + " must be HOST:PORT, such as a.example.org:443"
+            : null,
         config.get(ServerConfig.PLAY_BEHIND).stream()
             .filter(network -> AddressRange.parse(network).isEmpty())
             .findFirst()
@@ -35,11 +43,15 @@ public final class PlayFlags {
 
   /**
    * Returns the address of an open port as clients are told it, host:port; empty without one, and
-   * where a proxy stands before it, whose address isn't known.
+   * where a proxy stands before it whose address isn't known.
    *
    * @param host by which players reach this server
    */
   public static String address(ServerConfig config, String host, PlayPort port) {
+    String advertised = config.get(ServerConfig.PLAY_ADVERTISE);
+    if (port != null && advertised != null) {
+      return advertised;
+    }
     return port == null || !config.get(ServerConfig.PLAY_BEHIND).isEmpty()
         ? ""
         : host + ":" + port.tcpPort();
