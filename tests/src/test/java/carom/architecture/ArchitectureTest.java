@@ -113,6 +113,7 @@ final class ArchitectureTest {
         "simd",
         "dynamics.store",
         "dynamics.body",
+        "dynamics.contact",
         "dynamics.solver",
         "dynamics.domain",
         "dynamics.joint",
