@@ -3,7 +3,6 @@ package carom.physics.effects;
 import carom.physics.Body;
 import carom.physics.World;
 import carom.physics.geometry.Convex;
-import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 import carom.physics.math.Transform;
@@ -30,9 +29,10 @@ import java.util.List;
  * another part of the same body begins: it doesn't matter into which parts a body is cut. All other
  * edges feel the wind as if nothing were in front of them.
  *
- * <p>Forces are limited so that none reverses the velocity of an edge against the air in a step, so
- * light bodies stay stable in any wind. It has no influence on sleeping bodies: after a change, or
- * for a new wind, call {@link #wake} once. It is not thread-safe. A steady call allocates nothing.
+ * <p>The forces on a body are limited together, so that none reverses the velocity of an edge
+ * against the air in a step, so light bodies stay stable in any wind. It has no influence on
+ * sleeping bodies: after a change, or for a new wind, call {@link #wake} once. It is not
+ * thread-safe. A steady call allocates nothing.
  */
 public final class Wind implements Effect {
   /** Distance of Gauss' two points from the middle of an edge, in its lengths: 1 / sqrt(12). */
@@ -55,6 +55,10 @@ public final class Wind implements Effect {
   private float forceX;
   private float forceY;
   private float torque;
+
+  /** How fast the forces so far draw what they act on to the air, 1/s. */
+  private float stiffness;
+
   private float inverseMass;
   private float inverseInertia;
 
@@ -142,34 +146,23 @@ public final class Wind implements Effect {
     torque = 0;
     inverseMass = 1 / body.mass();
     inverseInertia = body.inertia() > 0 ? 1 / body.inertia() : 0;
-    int edges = 0;
-    for (int i = 0; i < body.shapeCount(); i++) {
-      edges += body.sensor(i) ? 0 : edgesOf(body.shape(i));
-    }
+    stiffness = 0;
     float factor = 0.5f * airDensity * strength;
     for (int i = 0; i < body.shapeCount(); i++) {
       if (!body.sensor(i)) {
         List<Convex> parts = body.shape(i).parts();
         for (int k = 0; k < parts.size(); k++) {
-          actOnEdges(body, parts.get(k), frame, factor, edges * dtSeconds);
-          actOnRounding(body, parts.get(k), frame, factor, edges * dtSeconds);
+          actOnEdges(body, parts.get(k), frame, factor);
+          actOnRounding(body, parts.get(k), frame, factor);
         }
       }
     }
-    Areas.push(body, forceX, forceY, torque);
+    // No edge may be faster than the air after the step, whatever acts on the others.
+    float share = 1 / (1 + dtSeconds * stiffness);
+    Areas.push(body, share * forceX, share * forceY, share * torque);
   }
 
-  /** Returns how many forces may act on a shape: two on each edge that faces the wind. */
-  private static int edgesOf(Shape shape) {
-    List<Convex> parts = shape.parts();
-    int sum = 0;
-    for (int k = 0; k < parts.size(); k++) {
-      sum += parts.get(k).vertexCount() + 1;
-    }
-    return sum;
-  }
-
-  private void actOnEdges(Body<?> body, Convex part, Transform frame, float factor, float dt) {
+  private void actOnEdges(Body<?> body, Convex part, Transform frame, float factor) {
     int n = part.vertexCount();
     for (int e = 0; n > 1 && e < n; e++) {
       int next = e + 1 == n ? 0 : e + 1;
@@ -186,7 +179,7 @@ public final class Wind implements Effect {
       for (int which = -1; which <= 1; which += 2) {
         float side = which * GAUSS;
         if (!isWithin(body, part, beforeX + side * ex, beforeY + side * ey)) {
-          act(body, middleX + side * ex, middleY + side * ey, nx, ny, half, frame, factor, dt);
+          act(body, middleX + side * ex, middleY + side * ey, nx, ny, half, frame, factor);
         }
       }
     }
@@ -206,7 +199,7 @@ public final class Wind implements Effect {
     return false;
   }
 
-  private void actOnRounding(Body<?> body, Convex part, Transform frame, float factor, float dt) {
+  private void actOnRounding(Body<?> body, Convex part, Transform frame, float factor) {
     if (part.radius() > 0) {
       int n = part.vertexCount();
       float middleX = 0;
@@ -215,7 +208,7 @@ public final class Wind implements Effect {
         middleX += part.vertexX(i) / n;
         middleY += part.vertexY(i) / n;
       }
-      act(body, middleX, middleY, 0, 0, 2 * part.radius(), frame, factor, dt);
+      act(body, middleX, middleY, 0, 0, 2 * part.radius(), frame, factor);
     }
   }
 
@@ -236,8 +229,7 @@ public final class Wind implements Effect {
       float ny,
       float length,
       Transform frame,
-      float factor,
-      float dt) {
+      float factor) {
     float placeX = body.x() + (body.cos() * localX - body.sin() * localY);
     float placeY = body.y() + (body.sin() * localX + body.cos() * localY);
     if (!area.contains(frame.localX(placeX, placeY), frame.localY(placeX, placeY))) {
@@ -255,12 +247,11 @@ public final class Wind implements Effect {
     }
     float seen = factor * length * facing;
     float lifting = round ? 0 : lift;
-    // No edge may be faster than the air after the step, whatever acts on the others.
     float inverse = inverseMass + (leverX * leverX + leverY * leverY) * inverseInertia;
-    float k = seen / (1 + dt * seen * (drag + lifting) * inverse);
+    stiffness += seen * (drag + lifting) * inverse;
     float s = facing / speed;
-    float fx = k * (drag * ux - lifting * (speed * nx + s * ux));
-    float fy = k * (drag * uy - lifting * (speed * ny + s * uy));
+    float fx = seen * (drag * ux - lifting * (speed * nx + s * ux));
+    float fy = seen * (drag * uy - lifting * (speed * ny + s * uy));
     forceX += fx;
     forceY += fy;
     torque += leverX * fy - leverY * fx;

@@ -9,8 +9,10 @@ import carom.physics.BodyType;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.effects.Explosion;
+import carom.physics.effects.Wind;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Polygon;
+import carom.physics.math.Aabb;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -50,6 +52,30 @@ class CutLawTest {
         expected = expected == null ? motion : expected;
         for (int n = 0; n < 3; n++) {
           float tolerance = 1e-3f * (1 + Math.abs(expected[n]));
+          assertEquals(expected[n], motion[n], tolerance, "seed=" + seed + " " + b.user());
+        }
+      }
+    }
+  }
+
+  @Test
+  void aWindSeesTheBodyAndNotItsCut() {
+    for (int i = 0; i < 40; i++) {
+      Wind wind = new Wind(new Aabb(-9, -9, 9, 9), 20 * random.nextFloat(), 8).lift(1.2f);
+      float angle = 6 * random.nextFloat();
+      float[] expected = null;
+      for (int[] cut : new int[][] {{1, 1}, {1, 2}, {3, 3}, {1, 5}, {8, 1}}) {
+        World<String> w = new World<>(new WorldDef().withGravity(0, 0));
+        Body<String> b = cut(w, cut[0], cut[1]);
+        b.setPose(0, 0, angle);
+        for (int step = 0; step < 10; step++) {
+          wind.apply(w, 1 / 60f);
+          w.step(1 / 60f);
+        }
+        float[] motion = {b.velocityX(), b.velocityY(), b.angularVelocity()};
+        expected = expected == null ? motion : expected;
+        for (int n = 0; n < 3; n++) {
+          float tolerance = 2e-3f * (1 + Math.abs(expected[n]));
           assertEquals(expected[n], motion[n], tolerance, "seed=" + seed + " " + b.user());
         }
       }
