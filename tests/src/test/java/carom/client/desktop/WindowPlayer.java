@@ -390,7 +390,6 @@ final class WindowPlayer {
             covers.merge(cover, 1, Integer::sum);
             return;
           }
-          looks++;
           int chosen = ScreenTour.colours(view).rgb(view.playerId());
           int rgb = own.archetype().appearance().rgb();
           Aabb box = box(own);
@@ -402,6 +401,7 @@ final class WindowPlayer {
           int halfW = Math.max(1, Math.round(scale * (box.maxX - box.minX) / 2));
           int halfH = Math.max(1, Math.round(scale * (box.maxY - box.minY) / 2));
           int count = 0;
+          int white = 0;
           for (int dy = -halfH; dy <= halfH; dy++) {
             for (int dx = -halfW; dx <= halfW; dx++) {
               int x = Math.round(at.x) + dx;
@@ -409,11 +409,17 @@ final class WindowPlayer {
               if (x >= 0 && y >= 0 && x < w && y < h) {
                 int pixel = pixels.getPixel(x, y) >>> 8;
                 count += near(pixel, rgb) || (chosen >= 0 && near(pixel, chosen)) ? 1 : 0;
+                white += near(pixel, 0xffffff) ? 1 : 0;
               }
             }
           }
           pixels.dispose();
           int least = Math.max(LEAST_PX, Math.round(LEAST_SHARE * 4 * halfW * halfH));
+          if (count < least && white >= least) {
+            covers.merge("white of a blow", 1, Integer::sum); // for a moment
+            return;
+          }
+          looks++;
           seen += count >= least ? 1 : 0;
           if (count < least) {
             Pictures.save("unseen-" + looks + ".png");
