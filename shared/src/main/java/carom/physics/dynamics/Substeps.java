@@ -174,7 +174,6 @@ final class Substeps {
     solverBodies.afterJoints();
   }
 
-  /** Begins a stage. Where stages are measured, each ends before the next one begins. */
   /** Takes energy away from what joints hold together, if there is more than can be. */
   private void limit(float dt, boolean moves) {
     if (jointSolver.limits()) {
@@ -184,6 +183,7 @@ final class Substeps {
     }
   }
 
+  /** Begins a stage. Where stages are measured, each ends before the next one begins. */
   private void begins(StepStage stage) {
     if (stages != null) {
       phases.run();
