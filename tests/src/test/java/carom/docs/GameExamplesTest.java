@@ -74,6 +74,7 @@ final class GameExamplesTest {
         static final Countdown FUEL = Field.countdown("fuel");
         static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");
+        static final Flag SCOPE = Field.flag("scope");
         static final Choice<Phase> PHASE = Field.choice("phase", Phase.class);
         Simulation s;
         Match m;
