@@ -56,7 +56,7 @@ public final class Wind implements Effect {
   private float forceY;
   private float torque;
 
-  /** How fast the forces so far draw what they act on to the air, 1/s. */
+  /** Rate at which the forces so far draw what they act on to the air, 1/s. */
   private float stiffness;
 
   private float inverseMass;

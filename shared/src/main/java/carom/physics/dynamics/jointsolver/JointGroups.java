@@ -167,7 +167,7 @@ final class JointGroups {
 
   private double[] springsNow = new double[0];
 
-  /** Whether no substep has begun in this step. */
+  /** Set until the first substep of a step has begun. */
   private boolean isFirst;
 
   /** Per group: whether eight pairs of visits didn't settle it in this step. */
@@ -826,10 +826,10 @@ final class JointGroups {
   }
 
   /**
-   * The last net: slows groups in trouble that have more energy than when the step began, than
-   * gravity and forces have given them since, and than what touches them has. Weighing and holding
-   * compare with the velocities of before joints, in which the impulses of contacts may be that
-   * only joints balance; so they don't notice what a light link gets of a heavy load.
+   * Slows groups in trouble that have more energy than when the step began, than gravity and forces
+   * have given them since, and than what touches them has. This is the last net. Weighing and
+   * holding compare with the velocities of before joints, in which the impulses of contacts may be
+   * that only joints balance; so they don't notice what a light link gets of a heavy load.
    *
    * @param v state of the bodies
    * @param contacts touch the groups
