@@ -247,12 +247,15 @@ public final class Chromium implements AutoCloseable {
     return string(result, "result", "value");
   }
 
-  /** Waits until an expression of the page is true, at most 20 s. One that throws isn't yet. */
+  /**
+   * Waits until an expression of the page is true, at most 20 s. One that throws isn't yet, nor is
+   * any of a page that ends.
+   */
   public void await(String condition) throws Exception {
     String asked =
         "(() => { try { return Boolean(" + condition + "); } catch (e) { return e; } })()";
     long endNs = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
-    for (String is; !(is = evaluate(asked)).equals("true"); Thread.sleep(50)) {
+    for (String is; !(is = evaluateOrSay(asked)).equals("true"); Thread.sleep(50)) {
       if (System.nanoTime() > endNs) {
         throw new AssertionError(
             "never: "
@@ -264,6 +267,14 @@ public final class Chromium implements AutoCloseable {
                 + "; page: "
                 + evaluate("document.body.innerText.slice(0, 2000).replace(/\\s+/g, ' ')"));
       }
+    }
+  }
+
+  private String evaluateOrSay(String expression) throws Exception {
+    try {
+      return evaluate(expression);
+    } catch (IOException e) {
+      return e.getMessage(); // the page goes to another one
     }
   }
 

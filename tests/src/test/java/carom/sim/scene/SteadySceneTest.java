@@ -38,7 +38,7 @@ final class SteadySceneTest {
           "arch", 610,
           "bridge", 1460,
           "bullets", 1210,
-          "conveyor", 2400,
+          "conveyor", 2690,
           "filters", 1800,
           "galton", 3790,
           "pulleys", 620,

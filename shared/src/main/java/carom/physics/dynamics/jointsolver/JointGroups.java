@@ -932,7 +932,8 @@ final class JointGroups {
 
   /** Returns the group of a body, -1 for none. */
   private int group(int slot) {
-    return isMovable(slot) && seen[slot] == search ? groupAt[slot] : -1;
+    boolean isKnown = slot < seen.length && seen[slot] == search; // only jointed bodies are
+    return isKnown && isMovable(slot) ? groupAt[slot] : -1;
   }
 
   /**

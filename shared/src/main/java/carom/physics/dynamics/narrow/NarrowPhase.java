@@ -55,6 +55,9 @@ public final class NarrowPhase {
   /** Mark: a callback let its parts pass in the step before. */
   private static final int PASSED = 2;
 
+  /** Mark: the row covers others. */
+  private static final int COVERS = 4;
+
   /** Per row: its marks, added up. */
   private byte[] marks = new byte[0];
 
@@ -169,6 +172,7 @@ public final class NarrowPhase {
   public void begin(boolean first, float dt) {
     ensureCapacity();
     covered.count = 0;
+    covered.ensureRoom(2 * contacts.capacity());
     for (Scratch scratch : scratches) {
       scratch.misses.begin(dt);
       scratch.reserve.count = 0;
@@ -314,11 +318,12 @@ public final class NarrowPhase {
   void noteCover(int row, int cover) {
     covered.add(row);
     covered.add(cover);
+    marks[cover] |= COVERS;
   }
 
   /** Returns whether what a row covers meets in this step, though it itself doesn't. */
   private boolean coversOneThatMeets(int cover, MissFinder misses) {
-    for (int i = 0; i < covered.count; i += 2) {
+    for (int i = 0; (marks[cover] & COVERS) != 0 && i < covered.count; i += 2) {
       int row = covered.values[i];
       if (covered.values[i + 1] == cover
           && (misses.meets(row) || coversOneThatMeets(row, misses))) {
