@@ -3,12 +3,25 @@ package carom.options;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 
-/** Checks of the flags that say where a socket listens. */
+/** Checks of the flags that say where a socket listens, or where others reach it. */
 public final class Sockets {
   /** Highest port. */
   public static final int MAX_PORT = 65_535;
 
+  /** Part of a pattern: a name, an IPv4 address, or an IPv6 address in brackets. */
+  public static final String HOST = "\\[[\\da-fA-F:.]+]|[-.\\w]+";
+
   private Sockets() {}
+
+  /**
+   * Returns whether others can connect to a port, 1..65,535; no port at all is right, too.
+   *
+   * @param digits one to five of them, or null
+   */
+  public static boolean isReachable(String digits) {
+    int port = digits == null ? 1 : Integer.parseInt(digits);
+    return port >= 1 && port <= MAX_PORT;
+  }
 
   /**
    * Returns what is wrong with a port, or null.

@@ -49,7 +49,7 @@ public final class CameraSetup {
    * around the player.
    */
   public CameraSetup zone(String name) {
-    ViewSetup.limited(zones.size(), name);
+    Range.check("a camera's zones", zones.size() + 1, 1, ViewSetup.MAX);
     zones.add(name);
     return this;
   }

@@ -54,7 +54,7 @@ public final class ViewSetup {
     return actions;
   }
 
-  static <T> T limited(int present, T added) {
+  private static <T> T limited(int present, T added) {
     if (present >= MAX) {
       throw new IllegalArgumentException(added.getClass().getSimpleName() + ": more than " + MAX);
     }

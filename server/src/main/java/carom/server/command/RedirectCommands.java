@@ -2,6 +2,7 @@ package carom.server.command;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
+import carom.options.Sockets;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +18,7 @@ public final class RedirectCommands {
   private static final String FLAG = "--redirect";
   private static final int ALL = -1;
   private static final Pattern TARGET =
-      Pattern.compile("((?:\\[[\\da-fA-F:.]+]|[-.\\w]+):(\\d{1,5}))(?:#([-\\w]{43}))?");
+      Pattern.compile("((?:" + Sockets.HOST + "):(\\d{1,5}))(?:#([-\\w]{43}))?");
 
   private final List<Room> rooms;
   private final RoomFinder finder;
@@ -138,8 +139,7 @@ public final class RedirectCommands {
     Matcher target = TARGET.matcher(text);
     if (!target.matches()
         || target.group(1).length() > ProtocolLimits.MAX_ADDRESS_BYTES
-        || Integer.parseInt(target.group(2)) < 1
-        || Integer.parseInt(target.group(2)) > 65_535) {
+        || !Sockets.isReachable(target.group(2))) {
       throw new CommandException(
           "SERVER=%s must be HOST:PORT or HOST:PORT#FINGERPRINT, such as play.example.org:54555"
               .formatted(text));

@@ -1,5 +1,6 @@
 package carom.server.fleet;
 
+import carom.options.Sockets;
 import carom.server.config.ServerConfig;
 import java.util.regex.Pattern;
 
@@ -9,7 +10,7 @@ public final class FleetFlags {
   public static final String NONE = "none";
 
   private static final Pattern ADDRESS =
-      Pattern.compile("(\\[[\\da-fA-F:.]+]|[-.\\w]+)(?::(\\d{1,5})(?::(\\d{1,5}))?)?");
+      Pattern.compile("(" + Sockets.HOST + ")(?::(\\d{1,5})(?::(\\d{1,5}))?)?");
 
   private FleetFlags() {}
 
@@ -44,7 +45,7 @@ public final class FleetFlags {
     if (advertise == null && !hasAddress) {
       return "--fleet needs --advertise HOST, by which players and other servers reach this server";
     }
-    if (advertise != null && !ADDRESS.matcher(advertise).matches()) {
+    if (advertise != null && !isAddress(advertise)) {
       return "--advertise="
           + advertise
           + " must be HOST, HOST:TCP or HOST:TCP:UDP, such as a.example.org:54555";
@@ -53,6 +54,13 @@ public final class FleetFlags {
       return "--scene and --fleet exclude each other: nobody plays in a scene";
     }
     return null;
+  }
+
+  private static boolean isAddress(String text) {
+    var parts = ADDRESS.matcher(text);
+    return parts.matches()
+        && Sockets.isReachable(parts.group(2))
+        && Sockets.isReachable(parts.group(3));
   }
 
   /** Returns the host of {@code --advertise}, as people write it. */

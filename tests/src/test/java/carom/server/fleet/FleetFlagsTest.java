@@ -1,11 +1,13 @@
 package carom.server.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
 import carom.server.config.ServerConfig;
 import carom.server.thin.web.PlayFlags;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Goal: what an operator says about the fleet fits together, or is refused by name. */
@@ -50,6 +52,14 @@ class FleetFlagsTest {
     assertEquals(
         "--play-advertise=a.example must be HOST:PORT, such as a.example.org:443",
         PlayFlags.problem(given.with(ServerConfig.PLAY_ADVERTISE, "a.example")));
+    for (String port : List.of("0", "65536", "99999")) {
+      String play = "a.example:" + port;
+      assertNotNull(PlayFlags.problem(given.with(ServerConfig.PLAY_ADVERTISE, play)), play);
+      for (String own : List.of(play, "a.example:1:" + port)) {
+        assertNotNull(FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, own), false), own);
+      }
+    }
+    assertNull(FleetFlags.problem(FLEET.with(ServerConfig.ADVERTISE, "[::1]:65535:1"), false));
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.slf4j.Logger;
@@ -15,7 +16,7 @@ import org.slf4j.LoggerFactory;
 
 /** The flags of the play port: the door to thin clients of every language and browser. */
 public final class PlayFlags {
-  private static final Pattern ADDRESS = Pattern.compile("(\\[[\\da-fA-F:.]+]|[-.\\w]+):\\d{1,5}");
+  private static final Pattern ADDRESS = Pattern.compile("(?:" + Sockets.HOST + "):(\\d{1,5})");
 
   private PlayFlags() {}
 
@@ -31,7 +32,7 @@ public final class PlayFlags {
             : (tlsCert == null ? "--tls-key needs --tls-cert" : "--tls-cert needs --tls-key"),
         playPort == null && tlsCert != null ? "--tls-cert needs --play-port" : null,
         playPort == null && advertise != null ? "--play-advertise needs --play-port" : null,
-        advertise != null && !ADDRESS.matcher(advertise).matches()
+        advertise != null && !isAddress(advertise)
             ? "--play-advertise=" + advertise + " must be HOST:PORT, such as a.example.org:443"
             : null,
         config.get(ServerConfig.PLAY_BEHIND).stream()
@@ -39,6 +40,11 @@ public final class PlayFlags {
             .findFirst()
             .map(network -> "--play-behind: " + AddressRange.problem(network))
             .orElse(null));
+  }
+
+  private static boolean isAddress(String text) {
+    Matcher address = ADDRESS.matcher(text);
+    return address.matches() && Sockets.isReachable(address.group(1));
   }
 
   /**

@@ -94,7 +94,7 @@ export class Picture {
     const zone = own && this.world.match.zones.find(z => wanted?.zones.includes(z.name) && z.minX <= own[0] && own[0] <= z.maxX && z.minY <= own[1] && own[1] <= z.maxY);
     let near = !follows || whole <= WHOLE_HEIGHT && readable ? whole : Math.min(height, Math.max(FOLLOW_HEIGHT, FOLLOW_WIDTH / aspect)), zoom = 1;
     const fits = (left, right, low, high) => {
-      near = Math.min(whole, Math.max(least, high - low, (right - left) / aspect));
+      near = Math.min(whole, Math.max(least, FOLLOW_WIDTH / aspect, high - low, (right - left) / aspect));
       own = [(left + right) / 2, (low + high) / 2];
     };
     if (own && wanted?.lead) own = [own[0] + own[3] * wanted.lead, own[1] + own[4] * wanted.lead];
