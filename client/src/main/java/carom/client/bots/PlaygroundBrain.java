@@ -21,6 +21,7 @@ public final class PlaygroundBrain extends GradedBrain {
   private static final int DETOUR_TICKS = 45;
   private static final int DROP_TICKS = 40; // over a basket, after which it lets go
   private static final int IDLE_TICKS = 200; // without a higher tower, after which it carries
+  private static final int CARRY_TICKS = 600; // at most, until it builds again
   private static final float THERE = 4; // beside its place at the site, m
   private static final float WIDE = 40; // m within which it looks for things
 
@@ -30,6 +31,9 @@ public final class PlaygroundBrain extends GradedBrain {
   private int overSince;
   private int height;
   private int higherAt;
+  private int builtAt;
+  private int carryUntil;
+  private boolean carried;
   private int target = -1;
   private int targetSince;
   private float goalX;
@@ -187,15 +191,23 @@ public final class PlaygroundBrain extends GradedBrain {
     Level.Zone site = s.view().level().zones("site").get(0);
     float share = (s.view().playerId() * 7 % 16 + 0.5f) / 16;
     float x = site.minX() + 1 + share * (site.maxX() - site.minX() - 2);
-    boolean isIdle = (s.tick() - higherAt) % (2 * IDLE_TICKS) > IDLE_TICKS;
-    boolean comes = !isIdle && Math.abs(x - s.own().x()) > THERE;
+    boolean carries = s.tick() < carryUntil && carryUntil - s.tick() <= CARRY_TICKS;
     boolean isOther = s.player().get(PlaygroundFields.TOWER) != height;
-    if (comes || isOther || s.tick() < higherAt) {
+    boolean comes = Math.abs(x - s.own().x()) > THERE || s.tick() - builtAt > 1;
+    if (carries || comes || isOther) {
       height = s.player().get(PlaygroundFields.TOWER);
-      higherAt = s.tick(); // the way there isn't idle
+      higherAt = s.tick(); // neither the way there nor what it brings elsewhere is idle
     }
-    if (isIdle || s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
-      carry(s, out); // its tower fell, or it has built what it can
+    builtAt = s.tick();
+    if (carries) {
+      carryUntil = carried && !holds(s) ? s.tick() : carryUntil; // it has brought a thing
+      carried = holds(s);
+    } else if (s.tick() - higherAt > IDLE_TICKS) {
+      carryUntil = s.tick() + CARRY_TICKS; // its tower fell
+      carried = false;
+    }
+    if (carries || s.player().get(PlaygroundFields.THINGS) == PlaygroundGame.MAX_THINGS) {
+      carry(s, out);
       return;
     }
     float top = site.minY();
