@@ -55,7 +55,7 @@ public final class BotFarm implements Crowd {
     boolean joined;
     boolean playing;
 
-    /** The bot plays, or loads the next match of a game in which it played. */
+    /** The bot plays, loads the next match of a game in which it played, or comes back to it. */
     boolean stays;
 
     boolean broken;
@@ -78,6 +78,7 @@ public final class BotFarm implements Crowd {
     long snapshotNs;
     long longestGapNs;
     int redirects;
+    int reconnects;
     int ticksLost;
 
     final SimRandom random;
@@ -151,6 +152,8 @@ public final class BotFarm implements Crowd {
   private void replaceClient(BotPlayer p, long nowNs) {
     p.before.add(p.client.stats(), nowNs);
     p.redirects += p.client.stats().redirects();
+    p.reconnects += p.client.stats().reconnects();
+    p.disconnects += p.client.stats().sessionsLost();
     p.ticksLost += p.client.stats().ticksLost();
     p.snapshots = 0;
     p.client.close();
@@ -203,7 +206,8 @@ public final class BotFarm implements Crowd {
     }
     ConnectionPhase phase = p.client.view().phase();
     boolean playing = !p.broken && phase == ConnectionPhase.PLAYING;
-    boolean stays = playing || p.stays && !p.broken && phase == ConnectionPhase.LOADING;
+    boolean comes = phase == ConnectionPhase.LOADING || phase == ConnectionPhase.RECONNECTING;
+    boolean stays = playing || p.stays && !p.broken && comes;
     if (p.stays && !stays) {
       p.disconnects++;
       LOG.warn("a bot stopped playing: {}", p.client.view().message());
@@ -359,7 +363,7 @@ public final class BotFarm implements Crowd {
     double late = 0;
     int playing = playing();
     for (BotPlayer p : players) {
-      disconnects += p.disconnects;
+      disconnects += disconnects(p);
       errors += p.errors;
       inputs += p.inputs;
       late += p.lateInputs;
@@ -411,12 +415,14 @@ public final class BotFarm implements Crowd {
     double late = 0;
     long longestGapNs = 0;
     int redirects = 0;
+    int reconnects = 0;
     int ticksLost = 0;
     for (BotPlayer p : players) {
       longestGapNs = Math.max(longestGapNs, p.longestGapNs);
       redirects += p.redirects + p.client.stats().redirects();
+      reconnects += p.reconnects + p.client.stats().reconnects();
       ticksLost += p.ticksLost + p.client.stats().ticksLost();
-      disconnects += p.disconnects;
+      disconnects += disconnects(p);
       errors += p.errors;
       inputs += p.inputs;
       late += p.lateInputs;
@@ -457,7 +463,13 @@ public final class BotFarm implements Crowd {
         longestGapNs / 1e6,
         redirects,
         ticksLost,
-        0);
+        0,
+        reconnects);
+  }
+
+  /** Returns how often a bot has lost its place, for good or for one in which it began anew. */
+  private static int disconnects(BotPlayer p) {
+    return p.disconnects + p.client.stats().sessionsLost();
   }
 
   /** Makes all bots leave. */

@@ -7,7 +7,8 @@ import java.util.Locale;
  * played; the times of a bot are means over its stays, weighted by their length.
  *
  * @param joined bots that got into the game
- * @param disconnects how often a bot that played stopped playing without wanting to
+ * @param disconnects how often a bot that played lost its place without wanting to; one that comes
+ *     back to it over another link hasn't
  * @param errors exceptions in bots, and datagrams that could not be decoded
  * @param snapshotsPerSecond server ticks seen per bot and second of play
  * @param gapP99Ms time between two snapshots that 99 % stay below, milliseconds
@@ -29,6 +30,8 @@ import java.util.Locale;
  * @param ticksLost ticks that bots have seen and that never happened, because a server was lost
  * @param keyP50Ms of thin clients, median time from an input to the first snapshot that has used
  *     it, milliseconds; 0 of own clients, which predict
+ * @param reconnects how often a bot has gone on over another link, because one was lost or another
+ *     server had the room
  */
 record BotReport(
     int joined,
@@ -48,7 +51,8 @@ record BotReport(
     double longestGapMs,
     int redirects,
     int ticksLost,
-    double keyP50Ms) {
+    double keyP50Ms,
+    int reconnects) {
   /** Returns one line of JSON with the keys in the order above. */
   public String toJson() {
     return String.format(
@@ -58,7 +62,7 @@ record BotReport(
             + "\"rejected\":%d,\"retries\":%d,\"kbitPerSecondUp\":%.2f,"
             + "\"exactPercent\":%.2f,\"correctionsPerMinute\":%.2f,"
             + "\"lateInputPercent\":%.2f,\"longestGapMs\":%.2f,\"redirects\":%d,"
-            + "\"ticksLost\":%d,\"keyP50Ms\":%.2f}",
+            + "\"ticksLost\":%d,\"keyP50Ms\":%.2f,\"reconnects\":%d}",
         joined,
         disconnects,
         errors,
@@ -76,6 +80,7 @@ record BotReport(
         longestGapMs,
         redirects,
         ticksLost,
-        keyP50Ms);
+        keyP50Ms,
+        reconnects);
   }
 }

@@ -39,6 +39,14 @@ public final class ThinFarm implements Crowd {
     int disconnects;
     int retries;
     int redirects;
+    int reconnects;
+
+    /** Whether it has played and comes back over another connection. */
+    boolean comesBack;
+
+    /** The seat that a lost connection should bring back; empty for none. */
+    String lostSeat = "";
+
     String problem = "";
     int count;
     int buttons;
@@ -134,6 +142,7 @@ public final class ThinFarm implements Crowd {
   private static void failed(Player p, String why, long nowNs) {
     p.problem = p.name + ": " + why;
     p.gaveUp = p.attempts >= MAX_ATTEMPTS;
+    p.disconnects += p.gaveUp && p.joined ? 1 : 0;
     p.nextAttemptNs = nowNs + p.attempts * SECOND / 2;
   }
 
@@ -142,14 +151,17 @@ public final class ThinFarm implements Crowd {
     ThinPicture s = p.picture;
     ThinDoor.Goal next = s.redirect();
     p.redirects += next == null ? 0 : 1;
-    p.disconnects += next == null && p.joined ? 1 : 0;
     p.attempts = s.player() < 0 ? p.attempts : 0;
+    p.comesBack = p.joined;
     if (next == null && !s.isRefused()) {
       next = s.seat(p.goal.server());
+      p.lostSeat = next == null || !p.joined ? "" : next.secret();
     }
     p.goal = next == null ? p.goal : next;
+    if (next == null && p.joined) {
+      p.attempts = MAX_ATTEMPTS; // it stays away
+    }
     failed(p, why, nowNs);
-    p.gaveUp |= next == null && p.joined;
     if (!p.gaveUp) {
       p.picture = new ThinPicture(s);
     }
@@ -164,6 +176,12 @@ public final class ThinFarm implements Crowd {
       return;
     }
     p.joined |= p.plays();
+    if (p.comesBack && p.plays()) {
+      p.comesBack = false;
+      p.reconnects++;
+      p.disconnects += p.lostSeat.isEmpty() || p.lostSeat.equals(p.picture.secret()) ? 0 : 1;
+      p.lostSeat = "";
+    }
     if (!p.joined || nowNs - p.nextInputNs < 0) {
       return;
     }
@@ -282,7 +300,8 @@ public final class ThinFarm implements Crowd {
         longest,
         players.stream().mapToInt(p -> p.redirects).sum(),
         0,
-        key / divisor);
+        key / divisor,
+        players.stream().mapToInt(p -> p.reconnects).sum());
   }
 
   @Override

@@ -86,6 +86,11 @@ public final class ThinPicture {
     secret = newSecret;
   }
 
+  /** Returns the secret of the seat, as the door writes it; empty for none. */
+  synchronized String secret() {
+    return secret;
+  }
+
   /** Begins a match in a room: all bodies are forgotten. */
   public synchronized void match(int newPlayer, String newRoom) {
     player = newPlayer;

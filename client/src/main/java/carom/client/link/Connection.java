@@ -84,6 +84,9 @@ public final class Connection implements LinkHandler {
   private ServerMessage.Welcome welcome;
   private long secret;
 
+  /** The session that a lost link should bring back, 0 for none. */
+  private long lostSecret;
+
   /** Room where the player wants to be after a lost link, if the session is over then. */
   private String room;
 
@@ -362,6 +365,10 @@ public final class Connection implements LinkHandler {
     if (comeback.isComingBack()) {
       stats.reconnected();
     }
+    if (lostSecret != 0 && secret != lostSecret) {
+      stats.sessionLost();
+    }
+    lostSecret = 0;
     enter(Stage.PLAYING);
     stats.playing(true, nowNs);
     message = "";
@@ -413,6 +420,7 @@ public final class Connection implements LinkHandler {
     token = redirect.token();
     room = redirect.room();
     secret = 0;
+    lostSecret = 0;
     welcome = null;
     if (!redirect.fingerprint().isEmpty()) {
       transport.expect(to.toString(), redirect.fingerprint());
@@ -503,6 +511,7 @@ public final class Connection implements LinkHandler {
       return;
     }
     if (wasIn || !comeback.isRunning()) {
+      lostSecret = secret;
       comeback.start(nowNs, wasIn);
       latest = "";
     }

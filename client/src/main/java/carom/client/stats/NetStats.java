@@ -109,6 +109,11 @@ public final class NetStats {
     return traffic.reconnects;
   }
 
+  /** Returns how often a lost link came back without the session, so that the player began anew. */
+  public int sessionsLost() {
+    return traffic.sessionsLost;
+  }
+
   /** Returns how often a server has sent the client to another one. */
   public int redirects() {
     return traffic.redirects;

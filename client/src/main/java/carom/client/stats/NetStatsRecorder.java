@@ -44,6 +44,11 @@ public final class NetStatsRecorder {
     traffic.reconnects++;
   }
 
+  /** Notes that a lost link came back without the session: the player has begun anew. */
+  public void sessionLost() {
+    traffic.sessionsLost++;
+  }
+
   /** Notes that the server has sent the client to another one. */
   public void redirected() {
     traffic.redirects++;

@@ -28,6 +28,7 @@ final class TrafficRecorder {
   long playingBytesOut;
   int malformed;
   int reconnects;
+  int sessionsLost;
   int redirects;
   int ticksLost;
   boolean overTcp;

@@ -202,36 +202,94 @@ final class BotFarmTest {
     }
   }
 
+  /** Returns a network's end that notes the links it accepts. */
+  private static ServerTransport noting(InProcessNetwork network, List<Link> links) {
+    return new ServerTransport() {
+      @Override
+      public Link accept() {
+        Link link = network.server().accept();
+        if (link != null) {
+          links.add(link);
+        }
+        return link;
+      }
+
+      @Override
+      public int tcpPort() {
+        return 0;
+      }
+
+      @Override
+      public int udpPort() {
+        return 0;
+      }
+
+      @Override
+      public void close() {
+        network.server().close();
+      }
+    };
+  }
+
+  /** Breaks the links of four bots, has them come back, and reports. */
+  private static BotReport breakLinks(boolean toTheirServer) throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    InProcessNetwork other = new InProcessNetwork(new KryoMessageCodec());
+    boolean[] broken = {false};
+    ClientTransport roads =
+        new ClientTransport() {
+          @Override
+          public Link connect(String host, int tcpPort, int udpPort) {
+            InProcessNetwork to = broken[0] && !toTheirServer ? other : network;
+            return to.client().connect(host, tcpPort, udpPort);
+          }
+
+          @Override
+          public void close() {}
+        };
+    List<Link> links = new ArrayList<>();
+    long[] now = {SECOND};
+    try (Server server = server(4, noting(network, links), now);
+        Server stranger = server(4, other, now);
+        BotFarm farm = farm(4, 0, roads)) {
+      int away = 0;
+      for (int tick = 0; tick < 300 || farm.playing() < 4; tick++) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        stranger.tick(now[0]);
+        farm.update(now[0]);
+        if (tick == 120) {
+          assertEquals(4, farm.playing(), farm::problem);
+          broken[0] = true;
+          links.forEach(link -> link.close("a test"));
+        }
+        away = Math.max(away, broken[0] ? 4 - farm.playing() : 0);
+        assertTrue(tick < 3_000, farm::problem);
+      }
+      assertEquals(4, away);
+      return farm.report(now[0]);
+    }
+  }
+
+  @Test
+  void aBotThatComesBackToItsSeatIsNoDisconnect() throws Exception {
+    BotReport report = breakLinks(true);
+    assertEquals(4, report.reconnects());
+    assertEquals(0, report.disconnects());
+  }
+
+  @Test
+  void aBotThatBeginsAnewElsewhereHasLostItsSeat() throws Exception {
+    BotReport report = breakLinks(false);
+    assertEquals(4, report.reconnects());
+    assertEquals(4, report.disconnects());
+  }
+
   @Test
   void theReportTellsOfAllStaysNotOfTheLast() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     List<Link> links = new ArrayList<>();
-    ServerTransport transport =
-        new ServerTransport() {
-          @Override
-          public Link accept() {
-            Link link = network.server().accept();
-            if (link != null) {
-              links.add(link);
-            }
-            return link;
-          }
-
-          @Override
-          public int tcpPort() {
-            return 0;
-          }
-
-          @Override
-          public int udpPort() {
-            return 0;
-          }
-
-          @Override
-          public void close() {
-            network.server().close();
-          }
-        };
+    ServerTransport transport = noting(network, links);
     long[] now = {SECOND};
     int garbage = 0;
     try (Server server = server(8, transport, now);

@@ -38,7 +38,7 @@ final class BotReportTest {
           + "\"rejected\":\\d+,\"retries\":\\d+,\"kbitPerSecondUp\":[0-9.]+,"
           + "\"exactPercent\":[0-9.]+,\"correctionsPerMinute\":[0-9.]+,"
           + "\"lateInputPercent\":[0-9.]+,\"longestGapMs\":[0-9.]+,\"redirects\":[0-9]+,"
-          + "\"ticksLost\":[0-9]+,\"keyP50Ms\":[0-9.]+\\}";
+          + "\"ticksLost\":[0-9]+,\"keyP50Ms\":[0-9.]+,\"reconnects\":[0-9]+\\}";
 
   @Test
   void isOneLineOfJsonInEveryCountry() {
@@ -51,9 +51,9 @@ final class BotReportTest {
               + "\"rejected\":4,\"retries\":5,\"kbitPerSecondUp\":6.00,"
               + "\"exactPercent\":99.50,\"correctionsPerMinute\":0.25,"
               + "\"lateInputPercent\":7.50,\"longestGapMs\":180.25,\"redirects\":3,\"ticksLost\":2,"
-              + "\"keyP50Ms\":31.50}",
+              + "\"keyP50Ms\":31.50,\"reconnects\":6}",
           new BotReport(
-                  3, 1, 0, 59.9, 21.3, 1.5, 42, 2, 4, 5, 6, 99.5, 0.25, 7.5, 180.25, 3, 2, 31.5)
+                  3, 1, 0, 59.9, 21.3, 1.5, 42, 2, 4, 5, 6, 99.5, 0.25, 7.5, 180.25, 3, 2, 31.5, 6)
               .toJson());
     } finally {
       Locale.setDefault(before);

@@ -60,10 +60,14 @@ final class ThinFarmTest {
 
   /** Lets the bot come in, and be told of a seat. */
   private void comeIn() {
+    comeIn("5be1");
+  }
+
+  private void comeIn(String secret) {
     int before = goals.size();
     told = null;
     updateUntil(() -> goals.size() > before && told != null);
-    told.welcome("5be1");
+    told.welcome(secret);
     told.match(3, "cup");
     told.snapshot(10, 1, 0, nowNs);
     updateUntil(() -> farm.playing() == 1);
@@ -93,6 +97,15 @@ final class ThinFarmTest {
     told.end("the connection broke");
     comeIn();
     assertEquals(new Goal("c:1", "cup", "5be1", ""), goals.get(1));
+    assertEquals(0, farm.report(nowNs).disconnects(), "it has its seat");
+    assertEquals(1, farm.report(nowNs).reconnects());
+  }
+
+  @Test
+  void aBotThatBeginsAnewHasLostItsSeat() {
+    comeIn();
+    told.end("the connection broke");
+    comeIn("0a7e");
     assertEquals(1, farm.report(nowNs).disconnects());
   }
 
@@ -105,6 +118,7 @@ final class ThinFarmTest {
     assertEquals(1 + 6, goals.size());
     assertEquals(new Goal("", "cup", "5be1", ""), goals.get(6));
     assertEquals(0, farm.report(nowNs).rejected(), "it had joined");
+    assertEquals(1, farm.report(nowNs).disconnects());
   }
 
   @Test
@@ -114,5 +128,6 @@ final class ThinFarmTest {
     told.refuse("KICKED");
     updateUntil(farm::over);
     assertEquals(1, goals.size());
+    assertEquals(1, farm.report(nowNs).disconnects());
   }
 }
