@@ -41,8 +41,7 @@ public final class ThinFarm implements Crowd {
     int redirects;
     int reconnects;
 
-    /** Whether it has played and comes back over another connection. */
-    boolean comesBack;
+    boolean comesBack; // it has played, and another connection follows
 
     /** The seat that a lost connection should bring back; empty for none. */
     String lostSeat = "";
