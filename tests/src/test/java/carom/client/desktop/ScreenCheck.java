@@ -21,6 +21,7 @@ import com.badlogic.gdx.utils.Align;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 
 /**
  * What a person would check on a screen: texts are large enough, in the window, off each other, and
@@ -35,6 +36,10 @@ final class ScreenCheck implements Hud.Witness {
   private static final double LEAST_CONTRAST = 3;
 
   private static final float TOLERANCE = 1;
+
+  /** Light of each value of a colour's part. */
+  private static final double[] LINEAR =
+      IntStream.range(0, 256).mapToDouble(ScreenCheck::linear).toArray();
 
   private record Box(String what, float x, float y, float w, float h) {
     boolean meets(Box o) {
@@ -265,9 +270,9 @@ final class ScreenCheck implements Hud.Witness {
   }
 
   private static double luminance(int rgba) {
-    return 0.2126 * linear(rgba >>> 24)
-        + 0.7152 * linear(rgba >>> 16 & 0xff)
-        + 0.0722 * linear(rgba >>> 8 & 0xff);
+    return 0.2126 * LINEAR[rgba >>> 24]
+        + 0.7152 * LINEAR[rgba >>> 16 & 0xff]
+        + 0.0722 * LINEAR[rgba >>> 8 & 0xff];
   }
 
   private static double linear(int part) {

@@ -9,6 +9,7 @@ import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.menu.StartScreen;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.ServerAddress;
+import carom.client.settings.PlayerSettings;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
 import carom.game.rockets.RocketGame;
@@ -40,14 +41,22 @@ import java.util.function.BooleanSupplier;
 
 /**
  * A program that opens the client's window and goes through its screens, as a player would: start,
- * pages, a game with bots, chat, table, menu; or a recording to its end. It saves a picture of
- * each, and prints what {@link ScreenCheck} finds wrong with it.
+ * pages, a game with bots, chat, table, menu, editor; a recording to its end; the pages again in
+ * the largest texts. It prints what {@link ScreenCheck} finds wrong with each. One window shows
+ * all, because a window takes longer to open than most screens to check.
  */
 final class ScreenTour {
   private static final long LIMIT_NS = 100_000_000_000L;
 
+  /** Enough for bodies that glide; each frame costs a processor that draws by itself. */
+  private static final int FPS = 10;
+
+  private static final boolean SAVES_ALL = Boolean.getBoolean("carom.all");
+  private static final int LARGEST_TEXTS = 200;
+
   private final Path folder;
   private final Robot robot;
+  private String tour = "";
   private int pictures;
 
   private ScreenTour(Path folder, Robot robot) {
@@ -58,11 +67,10 @@ final class ScreenTour {
   /**
    * Runs the program.
    *
-   * @param args {@code menus}, {@code game}, {@code others}, {@code ways}, {@code edit} or {@code
-   *     replay}; folder for pictures; the client's flags
+   * @param args folder for pictures; a recording of a whole match; the client's flags
    */
   public static void main(String[] args) {
-    Thread guide = new Thread(() -> guide(args[0], Path.of(args[1])), "guide");
+    Thread guide = new Thread(() -> guide(Path.of(args[0]), Path.of(args[1])), "guide");
     guide.setDaemon(true);
     guide.start();
     String[] flags = new String[args.length - 2];
@@ -70,26 +78,46 @@ final class ScreenTour {
     System.exit(ClientMain.run(flags));
   }
 
-  private static void guide(String tour, Path folder) {
+  private static void guide(Path folder, Path recording) {
     try {
       ScreenTour guided = new ScreenTour(folder, new Robot());
       while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
         Thread.sleep(20);
       }
-      Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
-      switch (tour) {
-        case "menus" -> guided.menus();
-        case "game" -> guided.game();
-        case "others" -> guided.others();
-        case "ways" -> guided.ways();
-        case "edit" -> guided.edit();
-        default -> guided.replay();
+      Gdx.graphics.setForegroundFPS(FPS);
+      guided.begin("menus");
+      guided.menus();
+      guided.begin("ways");
+      guided.ways();
+      guided.begin("game");
+      guided.game();
+      guided.begin("others");
+      guided.others();
+      guided.begin("edit");
+      guided.edit();
+      guided.begin("replay");
+      guided.replay(recording);
+      if (window().settings().get(PlayerSettings.TEXT_SIZE) > 100) {
+        run(
+            () ->
+                window().change(window().settings().with(PlayerSettings.TEXT_SIZE, LARGEST_TEXTS)));
+        guided.begin("largest");
+        guided.menus();
       }
-      System.out.println("pictures " + guided.pictures);
+      guided.begin("");
     } catch (Exception e) {
       System.out.println("problem: " + e);
     }
     Gdx.app.exit();
+  }
+
+  /** Begins a part of the tour, and tells how many pictures the one before has. */
+  private void begin(String next) {
+    if (!tour.isEmpty()) {
+      System.out.println("pictures of " + tour + ": " + pictures);
+    }
+    tour = next;
+    pictures = 0;
   }
 
   private static CaromWindow window() {
@@ -125,10 +153,14 @@ final class ScreenTour {
     look("alone in a large level");
     play("rockets", 3);
     look("rockets");
+    typed(Keys.ESCAPE);
+    press("Leave the game");
+    until(() -> window().screen() instanceof StartScreen);
   }
 
   /** Esc asks, a failed join stays at its address, and nobody needs a key to begin with bots. */
   private void ways() throws Exception {
+    press("Join a server");
     typed(Keys.ESCAPE);
     look("quit");
     require(button("Stay") != null, "Esc on the start screen asks");
@@ -221,6 +253,7 @@ final class ScreenTour {
 
   /** Places a box and a plate, undoes, saves, plays what isn't saved, and comes back. */
   private void edit() throws Exception {
+    run(() -> require(window().edit(Path.of("edited.json")).isEmpty(), "a level is edited"));
     until(() -> window().screen() instanceof EditScreen);
     EditScreen screen = (EditScreen) window().screen();
     frames(3);
@@ -249,6 +282,8 @@ final class ScreenTour {
     until(() -> window().screen() == screen);
     require(screen.asksToStay(), "closing the window would lose the trigger");
     look("a question");
+    press("Leave without saving");
+    until(() -> window().screen() instanceof StartScreen);
   }
 
   /** Presses a key of the keyboard, and waits until the window has taken it. */
@@ -285,12 +320,15 @@ final class ScreenTour {
     frames(2);
   }
 
-  private void replay() throws Exception {
+  private void replay(Path recording) throws Exception {
+    run(() -> require(window().replay(recording).isEmpty(), "a recording is shown"));
     until(() -> window().screen() instanceof ReplayScreen);
     look("replay");
     typed(Keys.END);
     until(() -> ((ReplayScreen) window().screen()).atEnd());
     look("end of the match");
+    typed(Keys.ESCAPE);
+    until(() -> window().screen() instanceof StartScreen);
   }
 
   private static GameScreen screen() {
@@ -309,7 +347,7 @@ final class ScreenTour {
   private void press(String text) throws Exception {
     run(
         () -> {
-          TextButton button = find(((Stage) input()).getRoot(), text);
+          TextButton button = find(stage().getRoot(), text);
           ((Runnable) button.getUserObject()).run();
         });
     frames(3);
@@ -356,13 +394,16 @@ final class ScreenTour {
     if (at[2] > 0 && !(at[1] > at[0])) {
       System.out.println("problem: the wheel doesn't scroll " + page + ", which has " + at[2]);
     }
-    frames(30);
+    frames(10);
   }
 
-  /** Draws the screen once more, saves it, and prints what is wrong with it. */
+  /**
+   * Draws the screen once more and prints what is wrong with it. Saves it if something is, or all
+   * screens are asked for: to write a picture takes longer than to check it.
+   */
   private void look(String name) throws Exception {
     frames(2);
-    String file = pictures++ + "-" + name.replaceAll("[^A-Za-z]+", "-") + ".png";
+    String file = tour + "-" + pictures++ + "-" + name.replaceAll("[^A-Za-z]+", "-") + ".png";
     run(
         () -> {
           ScreenCheck check =
@@ -381,7 +422,6 @@ final class ScreenTour {
           window().screen().render(0);
           Pixmap pixels =
               Pixmap.createFromFrameBuffer(0, 0, Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
-          Pictures.save(folder.resolve(file).toString());
           if (hud != null) {
             hud.witness(null);
             check.hud(hud, window().screen() instanceof GameScreen game ? game : null, pixels);
@@ -391,6 +431,9 @@ final class ScreenTour {
           }
           pixels.dispose();
           check.problems().forEach(problem -> System.out.println("problem: " + problem));
+          if (SAVES_ALL || !check.problems().isEmpty()) {
+            Pictures.save(folder.resolve(file).toString());
+          }
         });
   }
 

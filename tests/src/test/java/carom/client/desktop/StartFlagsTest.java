@@ -58,6 +58,11 @@ final class StartFlagsTest {
   }
 
   @Test
+  void aNewLevelShowsInTheEditor() throws Exception {
+    assertShows("--edit", folder.resolve("new.json").toString(), "--bots", "1");
+  }
+
+  @Test
   void aRecordingShows() throws Exception {
     Path recorded = folder.resolve("match.carom");
     try (Stepper stepper = Stepper.of("arena")) {
