@@ -255,7 +255,8 @@ public final class BodyDef {
   /**
    * Sets whether the body starts awake. The default is true. A body that starts asleep is at rest,
    * costs nothing and has no contacts until something awake touches it. Use it for large levels,
-   * and create their static bodies first. A body that may not sleep starts awake in any case.
+   * and create their static and kinematic bodies first, which wake what sleeps where they appear. A
+   * body that may not sleep starts awake in any case.
    *
    * @param startAwake false to start asleep
    * @return this

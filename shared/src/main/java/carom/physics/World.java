@@ -228,9 +228,9 @@ public final class World<T> {
     if (!bodyDef.sleepAllowed) {
       store.flags[slot] |= BodyStore.SLEEPLESS;
     }
-    dynamics.editor().enter(slot, bodyDef.awake);
     Body<T> body = new Body<>(this, store, slot, store.generation(slot), bodyDef.type, given, user);
-    handles.put(body, given, bodyDef.mass);
+    handles.put(body, given, bodyDef.mass); // a collision filter may be asked about it next
+    dynamics.editor().enter(slot, bodyDef.awake);
     return body;
   }
 

@@ -84,8 +84,8 @@ public final class BodyEditor {
       pairs.searchBody(body);
     } else {
       enter(body);
-      sleeping.wakeOverlapped(body);
     }
+    sleeping.wakeOverlapped(body);
   }
 
   /**

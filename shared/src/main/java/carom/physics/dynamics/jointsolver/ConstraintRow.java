@@ -377,7 +377,35 @@ abstract class ConstraintRow {
 
   /** Returns the angle by which a spring of a frequency swings in a substep, o h, rad. */
   final float swing(float hertz) {
+    return swing(hertz, h);
+  }
+
+  private static float swing(float hertz, float h) {
     return TWO_PI * Math.min(hertz * h, MAX_HERTZ_PER_RATE);
+  }
+
+  /**
+   * Returns the energy that a spring holds, J. Symplectic steps don't keep that, but what they run
+   * ahead by half a substep is taken off.
+   *
+   * @param m the mass by which it has its stiffness
+   * @param speed that of its coordinate
+   * @param h length of a substep, s
+   */
+  static double springEnergy(
+      double m, double stretch, float hertz, double speed, float h, float inverseH) {
+    float oh = swing(hertz, h);
+    double pull = m * oh * oh * inverseH * inverseH * stretch;
+    return 0.5 * pull * (oh > SYMPLECTIC_LIMIT ? stretch : stretch - h * speed);
+  }
+
+  /**
+   * Returns an angle as the one within half a turn of another: a cut of half a turn does no work.
+   */
+  static double unwound(double angle, double from) {
+    return angle - from > Math.PI
+        ? angle - TWO_PI
+        : from - angle > Math.PI ? angle + TWO_PI : angle;
   }
 
   /**

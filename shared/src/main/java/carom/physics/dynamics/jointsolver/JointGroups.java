@@ -661,7 +661,9 @@ final class JointGroups {
       }
       int at = place[tended[i]] * STRIDE;
       int old = place[tended[i]] * VELOCITY;
-      v[at + W] = Math.max(-mostSpin, Math.min(v[at + W], mostSpin));
+      if (Math.abs(v[at + W]) > mostSpin) {
+        v[at + W] = v[at + W] > 0 ? mostSpin : -mostSpin;
+      }
       change[3 * i] += (double) v[at + VX] - before[old + VX];
       change[3 * i + 1] += (double) v[at + VY] - before[old + VY];
       change[3 * i + 2] += (double) v[at + W] - before[old + W];

@@ -98,6 +98,9 @@ final class JointRecords {
   /** Divisor of each visit of the spring. */
   static final int SPRING_SHARE = 38;
 
+  /** Angle over all turns now, rad, of hinges with limits. */
+  static final int NOW_TURNED = 39;
+
   /** Gap of anchors, m, that only a teleport leaves. */
   private static final float TORN = 16;
 
@@ -126,6 +129,9 @@ final class JointRecords {
 
   /** Kind: a distance joint that is a spring and nothing else. */
   static final byte SPRING = 2;
+
+  /** Kind: a hinge that has two limits and is nothing else. */
+  static final byte LIMITED = 3;
 
   /** Number of times that bodies moved in this step, from 1 on. */
   private int poses;
@@ -253,11 +259,13 @@ final class JointRecords {
   }
 
   private static byte kindOf(JointStore j, int slot, boolean tree) {
-    boolean more = (j.flags[slot] & (JointStore.LIMITED | JointStore.DRIVEN)) != 0;
-    if (j.type[slot] == JointStore.REVOLUTE) {
-      return more || tree || j.winds(slot) || j.isRatchet(slot) ? ANY : HINGE;
+    int acting = j.flags[slot] & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG);
+    boolean freely = (acting & ~JointStore.SPRUNG) == 0;
+    if (j.type[slot] == JointStore.REVOLUTE && !tree && !j.isRatchet(slot)) {
+      boolean limited = acting == JointStore.LIMITED && j.lower[slot] < j.upper[slot];
+      return limited ? LIMITED : freely && !j.winds(slot) ? HINGE : ANY;
     }
-    boolean sprung = (j.flags[slot] & JointStore.SPRUNG) != 0;
-    return j.type[slot] == JointStore.DISTANCE && sprung && !more ? SPRING : ANY;
+    boolean spring = freely && acting != 0;
+    return j.type[slot] == JointStore.DISTANCE && spring ? SPRING : ANY;
   }
 }

@@ -8,6 +8,7 @@ import static carom.physics.dynamics.domain.SolverBodies.VX;
 import static carom.physics.dynamics.domain.SolverBodies.VY;
 import static carom.physics.dynamics.domain.SolverBodies.W;
 import static carom.physics.dynamics.jointsolver.JointRecords.FIRST_ROW;
+import static carom.physics.dynamics.jointsolver.JointRecords.NOW_TURNED;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AX;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_AY;
 import static carom.physics.dynamics.jointsolver.JointRecords.POINT_RIGID;
@@ -81,7 +82,7 @@ final class JointVisit extends ConstraintRow {
       float impulseScale) {
     store = jointStore;
     bodies = bodyStore;
-    noted.begin(jointStore, state, biasRate, impulseScale);
+    noted.begin(jointStore, state, substep, biasRate, massScale, impulseScale);
     beginRows(state, substep, biasRate, massScale, impulseScale);
   }
 
@@ -92,9 +93,14 @@ final class JointVisit extends ConstraintRow {
     switch (j.type[slot]) {
       case JointStore.REVOLUTE -> {
         if ((j.flags[slot] & JointStore.SPRUNG) != 0) {
-          angleRow();
           angle(k);
-          noteSpring(at, mass, j.hertz[slot], j.damping[slot]);
+          if (joints.poses() == 1) { // the first ones: it's the same in all others
+            angleRow();
+            noteSpring(at, mass, j.hertz[slot], j.damping[slot]);
+          }
+        } else if (joints.kind[k] == JointRecords.LIMITED) {
+          float angle = angle(k);
+          joints.data[at + NOW_TURNED] = (float) (j.winds(slot) ? j.windB(slot, angle) : angle);
         }
         if (!joints.inTree[k]) {
           measurePoint(at);
@@ -228,6 +234,8 @@ final class JointVisit extends ConstraintRow {
       visitHinge(k, joints.joint[k], forwards, bias);
     } else if (kind == JointRecords.SPRING) {
       noted.solveLengthSpring(k, joints.joint[k], bias);
+    } else if (kind == JointRecords.LIMITED) {
+      visitLimited(k, joints.joint[k], forwards, bias);
     } else if (forwards) {
       visitForwards(k, joints.joint[k], bias);
     } else {
@@ -242,6 +250,16 @@ final class JointVisit extends ConstraintRow {
     noted.solvePoint(k, slot, bias);
     if (joints.sprung[k] && !forwards) {
       noted.solveAngleSpring(k, slot, bias);
+    }
+  }
+
+  private void visitLimited(int k, int slot, boolean forwards, boolean bias) {
+    if (forwards) {
+      noted.solveAngleLimits(k, slot, bias);
+    }
+    noted.solvePoint(k, slot, bias);
+    if (!forwards) {
+      noted.solveAngleLimits(k, slot, bias);
     }
   }
 
@@ -628,15 +646,23 @@ final class JointVisit extends ConstraintRow {
   }
 
   /**
-   * Returns the energy that a joint's springs hold, J. Symplectic steps don't keep that, but what
-   * they run ahead by half a substep is taken off.
+   * Returns the energy that a joint's springs hold, J.
    *
    * @param moved whether bodies have moved since springs were visited with bias
    */
   double springEnergy(int k, boolean moved) {
     JointStore j = store;
     int slot = joints.joint[k];
-    load(k);
+    byte kind = joints.kind[k];
+    boolean isNoted = kind == JointRecords.HINGE || kind == JointRecords.SPRING;
+    if (!isNoted || joints.measured[k] != joints.poses()) {
+      load(k);
+    }
+    if (kind == JointRecords.HINGE) {
+      return noted.angleSpringEnergy(k, slot, moved);
+    } else if (kind == JointRecords.SPRING) {
+      return noted.lengthSpringEnergy(k, slot);
+    }
     double sum = 0;
     if ((j.flags[slot] & JointStore.SPRUNG) != 0) {
       double q = springCoordinate(k, slot) - j.rest[slot];
@@ -657,15 +683,6 @@ final class JointVisit extends ConstraintRow {
       sum += heldBy(mass, q, j.angularHertz[slot], rowSpeed());
     }
     return sum;
-  }
-
-  /**
-   * Returns an angle as the one within half a turn of another: a cut of half a turn does no work.
-   */
-  private static double unwound(double angle, double from) {
-    return angle - from > Math.PI
-        ? angle - TWO_PI
-        : from - angle > Math.PI ? angle + TWO_PI : angle;
   }
 
   /** Makes the row of a spring's coordinate, and returns that. */
