@@ -12,6 +12,7 @@ import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
+import carom.server.room.RoomOffer;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -43,6 +44,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private static final long PUBLISH_NS = 250 * NS_PER_MS;
 
   /** Time for which a claim may be this server's before it knows, ns: longer than any call. */
+  private static final long SERVER_NS = 4 * PUBLISH_NS;
   private static final long STRAY_NS = 5_000 * NS_PER_MS;
 
   /** Most rooms with equal settings that a fleet can number. */
@@ -92,8 +94,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Balance balance = new Balance();
   private long renewNs;
   private long serverNumber;
+  private volatile List<Looker> lookers = List.of();
   private String serverTold = "";
-  private long serverNextNs;
+  private volatile long serverNextNs;
   private long clientsNextNs;
   private long listsNextNs;
   private boolean away;
@@ -391,7 +394,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (nowNs - serverNextNs < 0 && serverNumber != 0) {
       return;
     }
-    serverNextNs = nowNs + 4 * PUBLISH_NS;
+    serverNextNs = nowNs + SERVER_NS;
     ServerRecord record =
         new ServerRecord(
             lease.number(),
@@ -417,6 +420,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     double share = 0;
     for (Room room : rooms) {
       share += load(room) / (double) settings.processors();
+            lookers,
     }
     return Math.min(Balance.FULL_PERCENT, share);
   }
@@ -499,6 +503,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private List<String> accountsOf(Room room) {
     return !settings.limitsSeats()
         ? List.of()
+              room.offer().skill(),
         : room.seats().accounts().stream()
             .limit(RoomRecord.MAX_ACCOUNTS)
             .map(RoomRecord::hashed)
@@ -665,9 +670,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     return new Place(
         record.server(),
         record.settings().name(),
-        record.entry().game(),
-        taken(record),
-        record.entry().places());
+        new RoomOffer(
+            record.entry().game(), taken(record), record.entry().places(), record.skill()));
   }
 
   /** Returns the seats that are taken, with those that were promised since the owner told. */
@@ -691,7 +695,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         continue;
       }
       Place place = place(record);
-      int fit = search.fit(place.game(), place.taken(), place.places());
+      int fit = search.fit(place.offer());
       if (fit > most) {
         most = fit;
         best = place;
@@ -717,6 +721,27 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
+  @Override
+  public void look(List<Looker> here) {
+    List<Looker> told = here.stream().limit(ServerRecord.MAX_LOOKERS).toList();
+    if (!told.equals(lookers)) {
+      lookers = told;
+      serverNextNs = Math.min(serverNextNs, clock.getAsLong() + PUBLISH_NS);
+      changed.run();
+    }
+  }
+
+  @Override
+  public List<Looker> lookersElsewhere() {
+    List<Looker> elsewhere = new ArrayList<>();
+    for (ServerRecord server : view.servers().values()) {
+      if (server.lease() > lease.number()) {
+        elsewhere.addAll(server.lookers());
+      }
+    }
+    return elsewhere;
+  }
+
   public int roomsOf(String account) {
     String hashed = RoomRecord.hashed(account);
     int count = 0;

@@ -42,6 +42,9 @@ public final class FleetRig implements AutoCloseable {
 
   /** How the servers' rooms are kept; before the first one. */
   Durability durability = Durability.ASYNC;
+  /** By which newcomers get a room; before the first one. */
+  ServerConfig.RoomRule roomRule = ServerConfig.RoomRule.FILL;
+
 
   /** Time that each word takes from one server to another. */
   long lagNs;
@@ -151,6 +154,7 @@ public final class FleetRig implements AutoCloseable {
               .with(ServerConfig.STATUS_INTERVAL, 0)
               .with(ServerConfig.IDLE, ServerConfig.Idle.PAUSE)
               .with(ServerConfig.ROOMS, Math.max(1, rooms))
+              .with(ServerConfig.ROOM_RULE, roomRule)
               .with(ServerConfig.MAX_PLAYERS, places);
       List<RoomConfig> own =
           rooms == 0
