@@ -4,15 +4,17 @@ import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.server.access.SharedList;
+import carom.server.command.SaveSource;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
 import carom.server.directory.DirectoryException;
 import carom.server.metrics.Counter;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
+import carom.server.room.RoomOffer;
 import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
-import carom.server.room.RoomOffer;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -42,9 +44,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private static final long NS_PER_MS = 1_000_000;
   private static final long RENEW_NS = 400 * NS_PER_MS;
   private static final long PUBLISH_NS = 250 * NS_PER_MS;
+  private static final long SERVER_NS = 4 * PUBLISH_NS;
 
   /** Time for which a claim may be this server's before it knows, ns: longer than any call. */
-  private static final long SERVER_NS = 4 * PUBLISH_NS;
   private static final long STRAY_NS = 5_000 * NS_PER_MS;
 
   /** Most rooms with equal settings that a fleet can number. */
@@ -85,16 +87,17 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Map<String, Long> strays = new HashMap<>();
 
   private FleetLists lists; // or null
+  private volatile FleetSaves saves;
   private Peers peers;
   private volatile String peerAddress = "";
   private Followers followers;
   private Takeovers takeovers;
   private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
+  private volatile List<Looker> lookers = List.of();
   private final Balance balance = new Balance();
   private long renewNs;
   private long serverNumber;
-  private volatile List<Looker> lookers = List.of();
   private String serverTold = "";
   private volatile long serverNextNs;
   private long clientsNextNs;
@@ -155,7 +158,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
 
       @Override
-      public PeerFrame command(PeerFrame line) {
+      public PeerFrame answer(PeerFrame line) {
+        if (line.kind() == PeerFrame.Kind.SAVED) {
+          return saves.answer(line);
+        }
         String answer;
         boolean done;
         try {
@@ -201,6 +207,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    */
   void shares(Path folder, List<SharedList> shared) throws IOException {
     lists = new FleetLists(directory, folder, shared);
+  }
+
+  /** Finds saves in a data folder, for this server and the others; before {@link #join}. */
+  void keepsSaves(DataFolder data) {
+    saves = new FleetSaves(data, view, peers, lease);
+  }
+
+  /** Returns the saves of the other servers. */
+  public SaveSource saves() {
+    return saves;
   }
 
   /** Returns this server's number in the fleet, 0 while it has none. */
@@ -404,6 +420,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
             settings.plain(),
             peerAddress,
             host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
+            lookers,
             draining);
     String value = record.toJson();
     if (serverNumber == 0) {
@@ -420,7 +437,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     double share = 0;
     for (Room room : rooms) {
       share += load(room) / (double) settings.processors();
-            lookers,
     }
     return Math.min(Balance.FULL_PERCENT, share);
   }
@@ -487,6 +503,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
                   : 0,
               room.seats().parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
               accountsOf(room),
+              room.offer().skill(),
               room.settings(),
               room.entry());
       String value = record.toJson();
@@ -503,7 +520,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private List<String> accountsOf(Room room) {
     return !settings.limitsSeats()
         ? List.of()
-              room.offer().skill(),
         : room.seats().accounts().stream()
             .limit(RoomRecord.MAX_ACCOUNTS)
             .map(RoomRecord::hashed)
@@ -586,7 +602,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         return runHere(words);
       }
       String line = moves ? String.join(" ", words) : verb.word();
-      return server.name() + ": " + peers.command(server, line);
+      PeerFrame answer = peers.ask(server, Peers.command(line));
+      return server.name() + ": " + Peers.words(server, answer);
     } catch (IOException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
@@ -705,23 +722,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   @Override
-  public String roomOfParty(String party, Link.Door door) {
-    for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      RoomRecord record = owned.record();
-      if (record.parties().contains(party) && leadsTo(record, door)) {
-        return record.settings().name();
-      }
-    }
-    return null;
-  }
-
-  @Override
-  public Future<String> settle(String party, String room) {
-    return ask(() -> parties.settle(party, room));
-  }
-
-  @Override
-  @Override
   public void look(List<Looker> here) {
     List<Looker> told = here.stream().limit(ServerRecord.MAX_LOOKERS).toList();
     if (!told.equals(lookers)) {
@@ -742,6 +742,23 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     return elsewhere;
   }
 
+  @Override
+  public String roomOfParty(String party, Link.Door door) {
+    for (FleetView.OwnedRoom owned : view.rooms().values()) {
+      RoomRecord record = owned.record();
+      if (record.parties().contains(party) && leadsTo(record, door)) {
+        return record.settings().name();
+      }
+    }
+    return null;
+  }
+
+  @Override
+  public Future<String> settle(String party, String room) {
+    return ask(() -> parties.settle(party, room));
+  }
+
+  @Override
   public int roomsOf(String account) {
     String hashed = RoomRecord.hashed(account);
     int count = 0;
