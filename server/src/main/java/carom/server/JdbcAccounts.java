@@ -327,6 +327,11 @@ public final class JdbcAccounts implements AccountStore {
         });
   }
 
+  @Override
+  public List<KnownValue> valuesOf(String account) throws IOException {
+    return transaction(c -> valuesOf(c, account));
+  }
+
   private static List<KnownValue> valuesOf(Connection c, String account) throws SQLException {
     try (PreparedStatement ask =
         c.prepareStatement(

@@ -18,6 +18,7 @@ import carom.server.command.RedirectCommands;
 import carom.server.command.ReloadCommand;
 import carom.server.command.RoomChangeCommands;
 import carom.server.command.RoomCommands;
+import carom.server.command.SaveSource;
 import carom.server.command.ServerCommands;
 import carom.server.command.UploadCommands;
 import carom.server.config.BadSettingException;
@@ -419,7 +420,12 @@ public final class ServerMain implements Callable<Integer> {
 
   private CommandRegistry commands(Server server) {
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, server.rooms(), flags.dataFolder(), server.uploads());
+    RoomCommands.add(
+        commands,
+        server.rooms(),
+        flags.dataFolder(),
+        server.uploads(),
+        fleet == null ? SaveSource.NONE : fleet.member().saves());
     UploadCommands.add(commands, server.uploads());
     AccessCommands.add(commands, access, server.rooms());
     AccountCommands.add(commands, server.accounts(), server.rooms());

@@ -143,6 +143,14 @@ public interface Game {
   }
 
   /**
+   * Returns the skill by which a server may put players together who are about as good; null for
+   * none. The same at every call.
+   */
+  default Skill skill() {
+    return null;
+  }
+
+  /**
    * Returns the phases of a match: warm-up, countdown, play, result. Without a clock a match lasts
    * until the game calls {@link Match#matchOver} or {@link Match#playNext}. The same at every call.
    */

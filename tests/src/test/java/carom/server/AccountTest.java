@@ -135,6 +135,37 @@ final class AccountTest {
   }
 
   @Test
+  void playersGetToThoseWhoseAccountsHaveAsMuchOfTheSkill() throws Exception {
+    ServerConfig bySkill =
+        ServerConfig.defaults().with(ServerConfig.ROOM_RULE, ServerConfig.RoomRule.SKILL);
+    HandedInMatch library = new HandedInMatch(EarnGame::new, EarnGame.level());
+    try (AccountRig rig =
+        new AccountRig(
+            store, null, folder, 1_000_000_000L, bySkill, "earn", library, "cup", "den")) {
+      rig.game = new EarnGame();
+      FakeClient rich = rig.join("1", "cup");
+      earn(rig, rich, 30);
+      rig.join("2", "den");
+      FakeClient away = rig.join("3", "den");
+      earn(rig, away, 30);
+      leave(rig, away);
+
+      rig.hello("4", "", 0);
+      rig.settle();
+      assertNotNull(rig.session("4", "den"), "a new account begins with 0, as that of 2");
+      FakeClient back = rig.hello("3", "", 0);
+      rig.settle();
+      assertNotNull(rig.session("3", "cup"), "it has earned as much as 1, who has it in the match");
+      leave(rig, back);
+
+      store.isDown = true;
+      rig.hello("3", "", 0);
+      rig.settle();
+      assertNotNull(rig.session("3", "den"), "without the store, the fullest room");
+    }
+  }
+
+  @Test
   void aClientIsToldTheBestWithItsOwnPlace() throws Exception {
     try (AccountRig rig = rig("cup")) {
       FakeClient ann = rig.join("1", "cup");

@@ -66,12 +66,21 @@ public final class Backend {
 
   /** Returns a token for an account. */
   public static String token(String account) throws Exception {
+    return token(account, "", 2_000);
+  }
+
+  /** Returns a token for an account that claims how good its player is. */
+  public static String token(String account, int skill, long expires) throws Exception {
+    return token(account, ",\"skill\":" + skill, expires);
+  }
+
+  private static String token(String account, String more, long expires) throws Exception {
     String text =
         base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
             + "."
             + base64(
-                "{\"sub\":\"%s\",\"exp\":2000}"
-                    .formatted(account)
+                "{\"sub\":\"%s\",\"exp\":%d%s}"
+                    .formatted(account, expires, more)
                     .getBytes(StandardCharsets.UTF_8));
     Signature signature = Signature.getInstance("Ed25519");
     signature.initSign(KEYS.getPrivate());

@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.fixtures.PlainGame;
 import carom.sim.Match;
+import carom.sim.Skill;
 import carom.sim.entity.Input;
 import carom.sim.entity.Player;
 import carom.sim.event.Audience;
@@ -38,6 +39,11 @@ final class EarnGame extends PlainGame {
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
+  }
+
+  @Override
+  public Skill skill() {
+    return Skill.of(COINS).within(4).widening(1);
   }
 
   @Override

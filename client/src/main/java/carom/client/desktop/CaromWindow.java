@@ -68,6 +68,8 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
    */
   private String givenName;
 
+  private String givenParty; // as givenName
+
   private Fonts fonts;
   private Widgets widgets;
   private Canvas canvas;
@@ -105,6 +107,8 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   CaromWindow(ClientOptions options, ClientTransport sockets, boolean hasSound) {
     this.options = options;
     givenName = options.named() ? options.config().get(ClientConfig.NAME) : null;
+    String party = options.config().get(ClientConfig.PARTY);
+    givenParty = party.isEmpty() ? null : party;
     this.hasSound = hasSound;
     this.sockets = sockets;
     config = options.config();
@@ -190,7 +194,10 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
   }
 
   private void play() {
-    config = config.with(ClientConfig.NAME, playerName());
+    config =
+        config
+            .with(ClientConfig.NAME, playerName())
+            .with(ClientConfig.PARTY, local == null ? party() : "");
     ClientConfig visit =
         config.with(
             ClientConfig.MIN_INTERPOLATION_MS, settings().get(PlayerSettings.INTERPOLATION));
@@ -577,6 +584,19 @@ final class CaromWindow extends ApplicationAdapter implements SettingsHost, Star
     if (!name.equals(playerName())) {
       givenName = null;
       change(settings().with(PlayerSettings.NAME, name));
+    }
+  }
+
+  @Override
+  public String party() {
+    return givenParty == null ? settings().get(PlayerSettings.PARTY) : givenParty;
+  }
+
+  @Override
+  public void party(String party) {
+    if (!party.equals(party())) {
+      givenParty = null;
+      change(settings().with(PlayerSettings.PARTY, party));
     }
   }
 

@@ -46,6 +46,9 @@ public final class Connection implements LinkHandler {
 
   private static final int MAX_POLL = 2_048;
 
+  /** Stands for a question that the server has put off, so that the answer's time says nothing. */
+  private static final long NEVER = Long.MIN_VALUE;
+
   private ServerAddress address;
   private final String playerName;
   private final String game;
@@ -260,6 +263,8 @@ public final class Connection implements LinkHandler {
       listener.best(lists);
     } else if (received instanceof ServerMessage.LevelList levels) {
       listener.levels(levels);
+    } else if (received instanceof ServerMessage.Notice notice && stage == Stage.JOINING) {
+      waits(notice.text());
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
     } else if (received instanceof ServerMessage.PlayPage page) {
@@ -299,12 +304,19 @@ public final class Connection implements LinkHandler {
     }
   }
 
+  /** Goes on waiting for a place: the server is there and says why it isn't time yet. */
+  private void waits(String why) {
+    stageSinceNs = nowNs;
+    askedNs = NEVER;
+    message = why;
+  }
+
   /**
    * Takes what to load: at the beginning, whenever the room goes on with another match, and when
    * the player changes the room.
    */
   private void welcomed(ServerMessage.Welcome w) {
-    if (stage == Stage.JOINING) {
+    if (stage == Stage.JOINING && askedNs != NEVER) {
       measureRoundTrip();
     }
     stop();

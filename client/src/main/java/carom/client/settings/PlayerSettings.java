@@ -1,6 +1,7 @@
 package carom.client.settings;
 
 import carom.net.protocol.PlayerName;
+import carom.net.protocol.RoomName;
 import carom.options.Rows;
 import carom.options.Setting;
 import carom.options.Settings;
@@ -37,6 +38,11 @@ public final class PlayerSettings extends Settings<PlayerSettings> {
       ROWS.text("name", "NAME", "player")
           .text("name in games")
           .checked(PlayerSettings::nameProblem);
+
+  public static final Setting<String> PARTY =
+      ROWS.text("party", "NAME", "")
+          .text("of friends who play in one room; empty for none")
+          .checked(PlayerSettings::partyProblem);
 
   public static final Setting<PlayerColour> COLOUR =
       labelled("colour", PlayerColour.values(), PlayerColour::label, "of the own body: {choices}");
@@ -129,6 +135,11 @@ public final class PlayerSettings extends Settings<PlayerSettings> {
 
   private static String nameProblem(String name) {
     String problem = PlayerName.problem(name);
+    return problem == null ? null : ": " + problem;
+  }
+
+  private static String partyProblem(String party) {
+    String problem = party.isEmpty() ? null : RoomName.partyProblem(party);
     return problem == null ? null : ": " + problem;
   }
 

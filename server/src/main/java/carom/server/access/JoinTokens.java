@@ -4,6 +4,7 @@ import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.RoomName;
 import carom.net.seal.PlayerKey;
+import carom.server.account.PlayerSkill;
 import carom.text.Json;
 import carom.text.JsonException;
 import carom.text.TextFile;
@@ -27,9 +28,10 @@ import java.util.Map;
  * no tokens. Any thread may use it. A check takes about 0.3 ms.
  *
  * <p>Claims: {@code sub} (the account) and {@code exp} (the end, seconds since 1970) must be there.
- * {@code name}, {@code room}, {@code nbf} (the begin) and {@code server} (the fingerprint of the
- * one server that the token is for) may. Others are ignored. The account identifies the player; the
- * name is only shown, so it is {@linkplain PlayerName#fitted fitted}, never a reason to refuse.
+ * {@code name}, {@code room}, {@code skill}, {@code nbf} (the begin) and {@code server} (the
+ * fingerprint of the one server that the token is for) may. Others are ignored. The account
+ * identifies the player; the name is only shown, so it is {@linkplain PlayerName#fitted fitted},
+ * never a reason to refuse.
  */
 public final class JoinTokens {
   /** Tells the player of a token that counts no longer. */
@@ -165,12 +167,27 @@ public final class JoinTokens {
     }
     Token result =
         new Token(
-            text(claims, "sub"), PlayerName.fitted(text(claims, "name")), text(claims, "room"));
+            text(claims, "sub"),
+            PlayerName.fitted(text(claims, "name")),
+            text(claims, "room"),
+            skill(claims));
     requireUsable(result);
     if (spent.has(signed(parts))) {
       throw new BadTokenException(USED);
     }
     return result;
+  }
+
+  private static int skill(Map<String, Json> claims) throws BadTokenException {
+    if (!claims.containsKey("skill")) {
+      return PlayerSkill.NO_CLAIM;
+    }
+    double skill = number(claims, "skill");
+    if (!(skill >= 0 && skill <= PlayerSkill.MAX_CLAIM) || skill != Math.rint(skill)) {
+      throw new BadTokenException(
+          "The token's skill is no whole number of 0 to " + PlayerSkill.MAX_CLAIM + ".");
+    }
+    return (int) skill;
   }
 
   private long now() {
@@ -251,8 +268,9 @@ public final class JoinTokens {
    * @param account the backend's name of the player's account, never empty
    * @param name the name to play under, or empty for the one that the player asks for
    * @param room the room to play in, or empty for the one that the player asks for
+   * @param skill of the player, or {@link PlayerSkill#NO_CLAIM}
    */
-  public record Token(String account, String name, String room) {}
+  public record Token(String account, String name, String room, int skill) {}
 
   /** Thrown for a join token that isn't valid. The message is for the player. */
   public static final class BadTokenException extends Exception {

@@ -195,6 +195,27 @@ public final class AccountService implements AutoCloseable {
         });
   }
 
+  /**
+   * Reads what an account has, for a player who hasn't joined yet; fails if the store doesn't
+   * answer.
+   */
+  public CompletableFuture<AccountValues> valuesOf(String account) {
+    Stay known = live.get(account);
+    return known != null
+        ? CompletableFuture.completedFuture(known.values())
+        : ask(() -> values(account));
+  }
+
+  private AccountValues values(String account) throws IOException {
+    Map<String, Map<String, AccountValues.Kept>> games = new LinkedHashMap<>();
+    for (AccountStore.KnownValue value : store.valuesOf(account)) {
+      games
+          .computeIfAbsent(value.game(), game -> new LinkedHashMap<>())
+          .put(value.field(), value.kept());
+    }
+    return new AccountValues(games);
+  }
+
   private <T> CompletableFuture<T> ask(Question<T> question) {
     CompletableFuture<T> answer = new CompletableFuture<>();
     Runnable asks =
@@ -203,7 +224,7 @@ public final class AccountService implements AutoCloseable {
             answer.complete(question.ask());
             answers();
           } catch (IOException | IllegalArgumentException e) {
-            fails(e, "an operator's question isn't answered");
+            fails(e, "a question isn't answered");
             answer.completeExceptionally(e);
           }
         };

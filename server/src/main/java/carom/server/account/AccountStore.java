@@ -73,6 +73,13 @@ public interface AccountStore extends AutoCloseable {
   List<Known> find(String who, int most) throws IOException;
 
   /**
+   * Returns what is kept of an account, nothing of an unknown one.
+   *
+   * @throws IOException if the store doesn't answer
+   */
+  List<KnownValue> valuesOf(String account) throws IOException;
+
+  /**
    * Forgets an account. Its number stays for a while, so that no stay before now writes again.
    *
    * @param known stamp of the account's newest stay here, or 0

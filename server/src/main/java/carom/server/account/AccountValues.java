@@ -75,6 +75,16 @@ public final class AccountValues {
     return fits ? Math.max(field.min(), Math.min(field.max(), kept.word)) : field.start();
   }
 
+  /**
+   * Returns what a field of a game has, which is a {@link Count} of one value.
+   *
+   * @param start its value for a player who is new to the game
+   */
+  int count(String game, String field, int start) {
+    Kept kept = of(game).get(field);
+    return kept != null && kept.form.startsWith("count ") ? kept.word : start;
+  }
+
   /** Returns the same with other values in a game. */
   public AccountValues with(String game, Schema schema, int[] words) {
     int[] at = schema.lastingWords();

@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import carom.net.protocol.ProtocolLimits;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
+import carom.server.account.PlayerSkill;
 import carom.server.config.ServerConfig;
 import carom.server.match.Match;
 import carom.server.match.MatchLoader;
@@ -263,6 +264,7 @@ final class RoomResume {
     if (seat != null) {
       seat.mute(saved.muted());
       seat.party(saved.party());
+      seat.skill(new PlayerSkill(saved.skill(), null));
       seat.stay(saved.stay() == null ? null : saved.stay().resumed());
     }
     return seat;

@@ -49,7 +49,7 @@ record SavedRoom(
     List<SavedSeat> seats,
     List<AccountWrite> accounts) {
   private static final long MAGIC = 0x4341524f4d534541L; // "CAROMSEA"
-  private static final int FORMAT = 6;
+  private static final int FORMAT = 7;
   private static final int HEAD_BYTES = 20;
   private static final int MAX_CONFIG = 1 << 16;
   private static final int MAX_NAME = 1 << 12;

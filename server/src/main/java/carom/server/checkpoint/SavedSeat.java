@@ -2,6 +2,7 @@ package carom.server.checkpoint;
 
 import carom.net.protocol.ProtocolLimits;
 import carom.physics.archive.Archive;
+import carom.server.account.PlayerSkill;
 import carom.server.account.Stay;
 import carom.server.session.Seats;
 
@@ -13,6 +14,7 @@ import carom.server.session.Seats;
  * @param name the name that it plays under
  * @param account the player's account by its join token, or empty
  * @param party the name of the player's party, or empty
+ * @param skill that the player's join token claims, or {@link PlayerSkill#NO_CLAIM}
  * @param secret proves the player's identity; never 0
  * @param muted whether its chat is dropped
  * @param graceMs what was left of the grace period, ms; {@link #PLAYED} if the player was there
@@ -31,6 +33,7 @@ record SavedSeat(
     String name,
     String account,
     String party,
+    int skill,
     long secret,
     boolean muted,
     int graceMs,
@@ -44,7 +47,7 @@ record SavedSeat(
   public static final int PLAYED = -1;
 
   private static final int MAX_GRACE_MS = 600_000;
-  private static final int BYTES = 48;
+  private static final int BYTES = 52;
 
   /** Returns whether it is the seat with this id of the player with this secret. */
   boolean is(Seats.Seat seat) {
@@ -65,6 +68,8 @@ record SavedSeat(
     String account =
         a.text("account", reads ? "" : s.account, ProtocolLimits.MAX_ACCOUNT_CHARACTERS);
     String party = a.text("party", reads ? "" : s.party, ProtocolLimits.MAX_PARTY_NAME_BYTES);
+    int skill =
+        a.integer("skill", reads ? 0 : s.skill, PlayerSkill.NO_CLAIM, PlayerSkill.MAX_CLAIM);
     long secret = a.bits("secret", reads ? 0 : s.secret);
     boolean muted = a.flag("muted", !reads && s.muted);
     int grace = a.integer("grace ms", reads ? 0 : s.graceMs, PLAYED, MAX_GRACE_MS);
@@ -78,8 +83,8 @@ record SavedSeat(
     a.integers("event of seat", events, count, 0, Math.max(0, eventCount - 1));
     return reads
         ? new SavedSeat(
-            id, wanted, name, account, party, secret, muted, grace, course, switches, reserved,
-            since, stay, events)
+            id, wanted, name, account, party, skill, secret, muted, grace, course, switches,
+            reserved, since, stay, events)
         : s;
   }
 }

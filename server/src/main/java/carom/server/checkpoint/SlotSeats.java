@@ -89,6 +89,7 @@ final class SlotSeats {
         seat.name(),
         seat.account(),
         seat.party(),
+        seat.skill().claim(),
         seat.secret(),
         seat.isMuted(),
         graceMs,

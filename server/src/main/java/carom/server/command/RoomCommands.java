@@ -20,17 +20,18 @@ public final class RoomCommands {
   private static final String STOP = "stop";
   private static final String MATCH = "match";
   private static final Pattern NEXT_FIELD = Pattern.compile(" (?=[-\\w.\\[\\]]+=)");
-  private static final Pattern FILE_NAME = Pattern.compile("[-\\w]{1,64}");
 
   private final RoomFinder finder;
   private final List<Room> rooms;
   private final DataFolder data;
+  private final SaveSource saves;
   private final LevelWords levelWords;
 
-  private RoomCommands(List<Room> rooms, DataFolder data, Uploads uploads) {
+  private RoomCommands(List<Room> rooms, DataFolder data, Uploads uploads, SaveSource saves) {
     this.finder = new RoomFinder(rooms);
     this.rooms = rooms;
     this.data = data;
+    this.saves = saves;
     levelWords = new LevelWords(data, uploads);
   }
 
@@ -40,10 +41,15 @@ public final class RoomCommands {
    * @param rooms all rooms of the server
    * @param data the server's files
    * @param uploads levels of players, or null if the server takes none
+   * @param saves of other servers
    */
   public static void add(
-      CommandRegistry registry, List<Room> rooms, DataFolder data, Uploads uploads) {
-    RoomCommands all = new RoomCommands(rooms, data, uploads);
+      CommandRegistry registry,
+      List<Room> rooms,
+      DataFolder data,
+      Uploads uploads,
+      SaveSource saves) {
+    RoomCommands all = new RoomCommands(rooms, data, uploads, saves);
     all.addForPlayers(registry);
     all.addForMatches(registry);
   }
@@ -291,22 +297,29 @@ public final class RoomCommands {
 
   private String save(CommandWords words) throws CommandException {
     Room room = finder.one(words);
-    return room.operator().save(savedFile(room, words));
+    return room.operator().save(data.saved(savedName(room, words)));
   }
 
   private String load(CommandWords words) throws CommandException {
     Room room = finder.one(words);
-    return room.operator().load(savedFile(room, words));
+    String name = savedName(room, words);
+    try {
+      String from = saves.bring(name);
+      String done = room.operator().load(data.saved(name));
+      return from.isEmpty() ? done : done + ", as saved at " + from;
+    } catch (IOException e) {
+      return "not loaded: " + e.getMessage();
+    }
   }
 
-  private Path savedFile(Room room, CommandWords words) throws CommandException {
+  private static String savedName(Room room, CommandWords words) throws CommandException {
     words.requireAtMost(1);
     String name = words.has(0) ? words.word(0, "NAME") : room.name();
-    if (!FILE_NAME.matcher(name).matches()) {
+    if (!DataFolder.isSaveName(name)) {
       throw new CommandException(
           "NAME=" + name + " has other characters than letters, digits, - _");
     }
-    return data.saved(name);
+    return name;
   }
 
   private String why(CommandWords words) throws CommandException {

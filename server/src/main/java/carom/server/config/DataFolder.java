@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -22,6 +23,7 @@ public record DataFolder(Path root) {
 
   private static final String LEVEL = ".json";
   private static final String SAVED = ".carom-save";
+  private static final Pattern SAVE_NAME = Pattern.compile("[-\\w]{1,64}");
   private static final String RECORDING = ".carom";
 
   /** Returns the folder of the log, which is rotated. */
@@ -89,6 +91,11 @@ public record DataFolder(Path root) {
   /** Returns the folder of the lists on which this server and its fleet agreed last. */
   public Path agreed() {
     return root.resolve("fleet");
+  }
+
+  /** Returns whether a text can be the name of a saved match: no path leads out of the folder. */
+  public static boolean isSaveName(String name) {
+    return SAVE_NAME.matcher(name).matches();
   }
 
   /** Returns the file of a saved match. */

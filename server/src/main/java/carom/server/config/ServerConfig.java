@@ -195,6 +195,21 @@ public final class ServerConfig extends Settings<ServerConfig> {
                   + " newcomers in, {range}; 0 = whatever they take ({default}).")
           .live();
 
+  public static final Setting<RoomRule> ROOM_RULE =
+      ROWS.choice("room-rule", "fill|skill", RoomRule.FILL)
+          .text(
+              "Where players go who name no room: fill is the fullest room; skill is the fullest"
+                  + " whose players are about as good, in games that name a skill"
+                  + " ({default}).")
+          .live();
+
+  public static final Setting<Double> SKILL_WAIT =
+      ROWS.number("skill-wait", "S", 0, 60, 10)
+          .text(
+              "Longest time for which a player waits by --room-rule skill, until any room will"
+                  + " do, {range} ({default}).")
+          .live();
+
   public static final Setting<Integer> CHECKPOINT =
       ROWS.whole("checkpoint", "S", 0, MAX_CHECKPOINT_S, 0)
           .text(
@@ -539,6 +554,14 @@ public final class ServerConfig extends Settings<ServerConfig> {
     PAUSE,
     /** A room without people runs on. */
     RUN
+  }
+
+  /** The values of {@code --room-rule}. */
+  public enum RoomRule {
+    /** The fullest room. */
+    FILL,
+    /** The fullest room whose players are about as good. */
+    SKILL
   }
 
   /** The values of {@code --on-partition}. */

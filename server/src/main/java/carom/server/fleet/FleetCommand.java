@@ -118,6 +118,7 @@ public final class FleetCommand implements Callable<Integer> {
     if (!Files.isRegularFile(keyFile)) {
       throw bad("--fleet-key=" + keyFile + " isn't there; copy it from a server of the fleet");
     }
-    return TcpPeers.command(server, ServerKey.load(keyFile), line);
+    PeerFrame answer = TcpPeers.ask(server, ServerKey.load(keyFile), Peers.command(line));
+    return Peers.words(server, answer);
   }
 }

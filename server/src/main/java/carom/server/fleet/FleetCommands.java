@@ -3,6 +3,7 @@ package carom.server.fleet;
 import carom.server.directory.Directory;
 import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
+import carom.server.session.RoomSkill;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -99,10 +100,18 @@ final class FleetCommands {
     /** Returns the rooms as lines of text. */
     String roomList() {
       List<String> lines = new ArrayList<>();
-      String format = "%-20s %9s  %-20s %8s  %-28s %s";
+      String format = "%-20s %9s %7s  %-20s %8s  %-28s %s";
       lines.add(
           String.format(
-              Locale.ROOT, format, "room", "players", "level", "claim", "owner", "follower"));
+              Locale.ROOT,
+              format,
+              "room",
+              "players",
+              "skill",
+              "level",
+              "claim",
+              "owner",
+              "follower"));
       for (Map.Entry<String, RoomRecord> one : rooms.entrySet()) {
         RoomRecord room = one.getValue();
         String follower = name(room.follower());
@@ -112,12 +121,18 @@ final class FleetCommands {
                 format,
                 one.getKey(),
                 room.entry().players() + "/" + room.entry().places(),
+                skill(room),
                 room.entry().level(),
                 claims.get(one.getKey()),
                 servers.containsKey(room.server()) ? name(room.server()) : "gone",
                 follower.isEmpty() ? "none yet" : follower));
       }
       return String.join("\n", lines);
+    }
+
+    private static String skill(RoomRecord room) {
+      RoomSkill skill = room.skill();
+      return skill == null || skill.players() == 0 ? "-" : String.valueOf(skill.mean());
     }
 
     /**

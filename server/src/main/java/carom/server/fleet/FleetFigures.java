@@ -73,6 +73,7 @@ public final class FleetFigures {
    * @param isLagExact false for other servers' rooms, whose lag is rounded down to whole {@value
    *     #LAG_STEP} ticks
    * @param players in the room
+   * @param skill mean skill of those whose skill is known, or null
    * @param places for players
    */
   public record RoomRow(
@@ -85,6 +86,7 @@ public final class FleetFigures {
       int lag,
       boolean isLagExact,
       int players,
+      Integer skill,
       int places) {}
 
   /**
@@ -259,6 +261,7 @@ public final class FleetFigures {
               lags.getOrDefault(one.getKey(), room.lag()),
               lags.containsKey(one.getKey()),
               room.entry().players(),
+              room.skill() == null || room.skill().players() == 0 ? null : room.skill().mean(),
               room.entry().places()));
     }
     List<Happening> happenings = new ArrayList<>();

@@ -4,12 +4,15 @@ import carom.net.protocol.ProtocolLimits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.server.access.SharedList;
+import carom.server.command.SaveSource;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
 import carom.server.directory.DirectoryException;
 import carom.server.metrics.Counter;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
+import carom.server.room.RoomOffer;
 import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
 import java.io.IOException;
@@ -41,6 +44,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private static final long NS_PER_MS = 1_000_000;
   private static final long RENEW_NS = 400 * NS_PER_MS;
   private static final long PUBLISH_NS = 250 * NS_PER_MS;
+  private static final long SERVER_NS = 4 * PUBLISH_NS;
 
   /** Time for which a claim may be this server's before it knows, ns: longer than any call. */
   private static final long STRAY_NS = 5_000 * NS_PER_MS;
@@ -83,17 +87,19 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Map<String, Long> strays = new HashMap<>();
 
   private FleetLists lists; // or null
+  private volatile FleetSaves saves;
   private Peers peers;
   private volatile String peerAddress = "";
   private Followers followers;
   private Takeovers takeovers;
   private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
+  private volatile List<Looker> lookers = List.of();
   private final Balance balance = new Balance();
   private long renewNs;
   private long serverNumber;
   private String serverTold = "";
-  private long serverNextNs;
+  private volatile long serverNextNs;
   private long clientsNextNs;
   private long listsNextNs;
   private boolean away;
@@ -152,7 +158,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
 
       @Override
-      public PeerFrame command(PeerFrame line) {
+      public PeerFrame answer(PeerFrame line) {
+        if (line.kind() == PeerFrame.Kind.SAVED) {
+          return saves.answer(line);
+        }
         String answer;
         boolean done;
         try {
@@ -198,6 +207,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    */
   void shares(Path folder, List<SharedList> shared) throws IOException {
     lists = new FleetLists(directory, folder, shared);
+  }
+
+  /** Finds saves in a data folder, for this server and the others; before {@link #join}. */
+  void keepsSaves(DataFolder data) {
+    saves = new FleetSaves(data, view, peers, lease);
+  }
+
+  /** Returns the saves of the other servers. */
+  public SaveSource saves() {
+    return saves;
   }
 
   /** Returns this server's number in the fleet, 0 while it has none. */
@@ -391,7 +410,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (nowNs - serverNextNs < 0 && serverNumber != 0) {
       return;
     }
-    serverNextNs = nowNs + 4 * PUBLISH_NS;
+    serverNextNs = nowNs + SERVER_NS;
     ServerRecord record =
         new ServerRecord(
             lease.number(),
@@ -401,6 +420,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
             settings.plain(),
             peerAddress,
             host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
+            lookers,
             draining);
     String value = record.toJson();
     if (serverNumber == 0) {
@@ -483,6 +503,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
                   : 0,
               room.seats().parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
               accountsOf(room),
+              room.offer().skill(),
               room.settings(),
               room.entry());
       String value = record.toJson();
@@ -581,7 +602,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         return runHere(words);
       }
       String line = moves ? String.join(" ", words) : verb.word();
-      return server.name() + ": " + peers.command(server, line);
+      PeerFrame answer = peers.ask(server, Peers.command(line));
+      return server.name() + ": " + Peers.words(server, answer);
     } catch (IOException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
@@ -665,9 +687,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     return new Place(
         record.server(),
         record.settings().name(),
-        record.entry().game(),
-        taken(record),
-        record.entry().places());
+        new RoomOffer(
+            record.entry().game(), taken(record), record.entry().places(), record.skill()));
   }
 
   /** Returns the seats that are taken, with those that were promised since the owner told. */
@@ -691,13 +712,34 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         continue;
       }
       Place place = place(record);
-      int fit = search.fit(place.game(), place.taken(), place.places());
+      int fit = search.fit(place.offer());
       if (fit > most) {
         most = fit;
         best = place;
       }
     }
     return best;
+  }
+
+  @Override
+  public void look(List<Looker> here) {
+    List<Looker> told = here.stream().limit(ServerRecord.MAX_LOOKERS).toList();
+    if (!told.equals(lookers)) {
+      lookers = told;
+      serverNextNs = Math.min(serverNextNs, clock.getAsLong() + PUBLISH_NS);
+      changed.run();
+    }
+  }
+
+  @Override
+  public List<Looker> lookersElsewhere() {
+    List<Looker> elsewhere = new ArrayList<>();
+    for (ServerRecord server : view.servers().values()) {
+      if (server.lease() > lease.number()) {
+        elsewhere.addAll(server.lookers());
+      }
+    }
+    return elsewhere;
   }
 
   @Override

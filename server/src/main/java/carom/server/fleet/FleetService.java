@@ -120,6 +120,7 @@ public final class FleetService implements AutoCloseable {
           new FleetService(
               directory, settings, key, bind, config.get(ServerConfig.FLEET_PORT), peer);
       service.member.shares(data.agreed(), shared);
+      service.member.keepsSaves(data);
       service.member.join();
       service.start();
       LOG.info(

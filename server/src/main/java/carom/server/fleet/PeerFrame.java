@@ -40,7 +40,12 @@ record PeerFrame(Kind kind, long number, String room, int step, int slot, byte[]
     HAND_OVER,
     /** A line of an operator, who has the key and no lease; {@link #ANSWER} follows. */
     COMMAND,
-    /** Answers {@link #COMMAND}; number is 0 if it was done. */
+    /** Asks for the save named as the room, if it is newer than number; {@link #ANSWER} follows. */
+    SAVED,
+    /**
+     * Answers {@link #COMMAND}: number is 0 if it was done. Or {@link #SAVED}: number is when it
+     * was saved, 0 for none newer, -1 if the bytes say why not.
+     */
     ANSWER;
 
     private static final Kind[] ALL = values();

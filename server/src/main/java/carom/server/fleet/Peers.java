@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.server.checkpoint.SlotLink;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Set;
 
@@ -13,8 +14,8 @@ interface Peers extends AutoCloseable {
     /** Takes a frame of another server. */
     void take(long server, PeerFrame frame) throws IOException;
 
-    /** Does what an operator says, and returns what came of it. */
-    PeerFrame command(PeerFrame line);
+    /** Answers a question: does what an operator says, or returns a save. */
+    PeerFrame answer(PeerFrame question);
 
     /** Learns that the link from another server is lost, whatever became of that server. */
     void lost(long server);
@@ -59,12 +60,29 @@ interface Peers extends AutoCloseable {
   void await(long server) throws IOException;
 
   /**
-   * Tells a server what an operator says.
+   * Asks a server something, over a link for that alone.
    *
-   * @return the answer
-   * @throws IOException if it can't be reached or can't do it; the message says why
+   * @throws IOException if it can't be reached; the message says why
    */
-  String command(ServerRecord server, String line) throws IOException;
+  PeerFrame ask(ServerRecord server, PeerFrame question) throws IOException;
+
+  /** Returns the question that tells a server what an operator says. */
+  static PeerFrame command(String line) {
+    return PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", line.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /**
+   * Returns what a server has answered to {@link #command}.
+   *
+   * @throws IOException if it can't do it; the message says why
+   */
+  static String words(ServerRecord server, PeerFrame answer) throws IOException {
+    String words = new String(answer.bytes(), StandardCharsets.UTF_8);
+    if (answer.number() != 0) {
+      throw new IOException(server.name() + ": " + words);
+    }
+    return words;
+  }
 
   @Override
   void close();

@@ -2,6 +2,7 @@ package carom.server.fleet;
 
 import carom.net.protocol.ServerMessage;
 import carom.server.config.RoomConfig;
+import carom.server.session.RoomSkill;
 import carom.text.Json;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
@@ -23,6 +24,7 @@ import java.util.Map;
  * @param parties those that have a member there, at most {@value #MAX_PARTIES}
  * @param accounts those that have a seat there, hashed, if the fleet limits their seats, at most
  *     {@value #MAX_ACCOUNTS}
+ * @param skill of its players, or null if the game names none
  * @param settings the room's settings, with which another server can go on with it
  * @param entry what lists of rooms show
  */
@@ -34,6 +36,7 @@ record RoomRecord(
     int lag,
     List<String> parties,
     List<String> accounts,
+    RoomSkill skill,
     RoomConfig settings,
     ServerMessage.RoomEntry entry) {
   /** Begins the keys of rooms in the directory. */
@@ -61,7 +64,8 @@ record RoomRecord(
 
   /** Returns this record as that of a room that its owner gives up for a follower. */
   RoomRecord leaving(long forServer) {
-    return new RoomRecord(server, forServer, true, load, lag, parties, accounts, settings, entry);
+    return new RoomRecord(
+        server, forServer, true, load, lag, parties, accounts, skill, settings, entry);
   }
 
   /** Returns the record of a room that is claimed and not built yet. */
@@ -74,6 +78,7 @@ record RoomRecord(
         0,
         List.of(),
         List.of(),
+        null,
         settings,
         new ServerMessage.RoomEntry(
             settings.name(), settings.game(), "", "", 0, 0, 0, settings.metadata()));
@@ -101,6 +106,16 @@ record RoomRecord(
           if (!accounts.isEmpty()) {
             writeList(json, "accounts", accounts);
           }
+          if (skill != null) {
+            json.writeObjectFieldStart("skill");
+            json.writeStringField("field", skill.field());
+            json.writeNumberField("start", skill.start());
+            json.writeNumberField("within", skill.within());
+            json.writeNumberField("widening", skill.widening());
+            json.writeNumberField("players", skill.players());
+            json.writeNumberField("mean", skill.mean());
+            json.writeEndObject();
+          }
           json.writeNumberField("places", settings.places());
           json.writeStringField("seed", String.valueOf(settings.seed()));
           json.writeObjectFieldStart("info");
@@ -124,6 +139,16 @@ record RoomRecord(
       json.writeString(text);
     }
     json.writeEndArray();
+  }
+
+  private static RoomSkill skill(Json json) throws IOException {
+    return new RoomSkill(
+        FleetJson.text(json, "field"),
+        FleetJson.whole(json, "start"),
+        FleetJson.whole(json, "within"),
+        FleetJson.whole(json, "widening"),
+        FleetJson.whole(json, "players"),
+        FleetJson.whole(json, "mean"));
   }
 
   private static List<String> list(Json json, String name) {
@@ -160,6 +185,7 @@ record RoomRecord(
     } catch (IllegalArgumentException e) {
       throw new IOException("no room's record: " + e.getMessage(), e);
     }
+    Json skill = json.fields.get("skill");
     int players = FleetJson.whole(json, "players");
     return new RoomRecord(
         FleetJson.number(json, "server"),
@@ -169,6 +195,7 @@ record RoomRecord(
         FleetJson.whole(json, "lag"),
         list(json, "parties"),
         list(json, "accounts"),
+        skill == null ? null : skill(skill),
         settings,
         new ServerMessage.RoomEntry(
             settings.name(),

@@ -2,8 +2,11 @@ package carom.server.fleet;
 
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
+import carom.server.room.FleetDoor;
 import carom.text.Json;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * The record of a server in the directory, by itself.
@@ -15,6 +18,7 @@ import java.io.IOException;
  * @param plain host, TCP port and perhaps UDP port for stock KryoNet, empty for none
  * @param peer host and port for the other servers of the fleet
  * @param load the part of its processors that its rooms' ticks take, percent
+ * @param lookers players who look for players about as good there, at most {@value #MAX_LOOKERS}
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
 record ServerRecord(
@@ -25,9 +29,13 @@ record ServerRecord(
     String plain,
     String peer,
     int load,
+    List<FleetDoor.Looker> lookers,
     boolean draining) {
   /** Begins the keys of servers in the directory. */
   static final String PREFIX = "servers/";
+
+  /** Most lookers of which a record tells, so that it stays small. */
+  static final int MAX_LOOKERS = 32;
 
   /** Returns the address at a door, empty for none. */
   String address(Link.Door door) {
@@ -74,6 +82,16 @@ record ServerRecord(
           json.writeStringField("plain", plain);
           json.writeStringField("peer", peer);
           json.writeNumberField("load", load);
+          if (!lookers.isEmpty()) {
+            json.writeArrayFieldStart("lookers");
+            for (FleetDoor.Looker looker : lookers) {
+              json.writeStartObject();
+              json.writeStringField("game", looker.game());
+              json.writeNumberField("skill", looker.skill());
+              json.writeEndObject();
+            }
+            json.writeEndArray();
+          }
           json.writeBooleanField("draining", draining);
         });
   }
@@ -85,6 +103,12 @@ record ServerRecord(
    */
   static ServerRecord parse(long lease, String value) throws IOException {
     Json json = FleetJson.read(value);
+    List<FleetDoor.Looker> lookers = new ArrayList<>();
+    for (Json looker :
+        json.fields.containsKey("lookers") ? json.fields.get("lookers").items : List.<Json>of()) {
+      lookers.add(
+          new FleetDoor.Looker(FleetJson.text(looker, "game"), FleetJson.whole(looker, "skill")));
+    }
     return new ServerRecord(
         lease,
         FleetJson.text(json, "name"),
@@ -93,6 +117,7 @@ record ServerRecord(
         FleetJson.text(json, "plain"),
         FleetJson.text(json, "peer"),
         FleetJson.whole(json, "load"),
+        lookers,
         FleetJson.flag(json, "draining"));
   }
 }

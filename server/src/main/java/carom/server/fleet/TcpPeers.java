@@ -7,7 +7,6 @@ import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -118,8 +117,8 @@ final class TcpPeers implements Peers {
       from = hello.number();
       while (!closed) {
         PeerFrame frame = PeerFrame.parse(channel.read());
-        if (frame.kind() == PeerFrame.Kind.COMMAND) {
-          channel.write(inbox.command(frame).toBytes());
+        if (frame.kind() == PeerFrame.Kind.COMMAND || frame.kind() == PeerFrame.Kind.SAVED) {
+          channel.write(inbox.answer(frame).toBytes());
         } else if (frame.kind() == PeerFrame.Kind.AWAIT) {
           channel.write(PeerFrame.of(PeerFrame.Kind.DONE, frame.number()).toBytes());
         } else {
@@ -323,29 +322,24 @@ final class TcpPeers implements Peers {
   }
 
   @Override
-  public String command(ServerRecord server, String line) throws IOException {
-    return command(server, key, line);
+  public PeerFrame ask(ServerRecord server, PeerFrame question) throws IOException {
+    return ask(server, key, question);
   }
 
   /**
-   * Tells a server what an operator says, over a link for that alone.
+   * Asks a server something, over a link for that alone.
    *
-   * @return the answer
-   * @throws IOException if it can't be reached or can't do it; the message says why
+   * @param key the fleet's
+   * @throws IOException if it can't be reached; the message says why
    */
-  static String command(ServerRecord server, ExchangeKey key, String line) throws IOException {
+  static PeerFrame ask(ServerRecord server, ExchangeKey key, PeerFrame question)
+      throws IOException {
     try (PeerChannel channel = PeerChannel.open(server.peerHost(), server.peerPort(), key)) {
       channel.waitAtMost(AWAIT_MS);
       channel.write(PeerFrame.of(PeerFrame.Kind.HELLO, 0).toBytes());
       PeerFrame.parse(channel.read());
-      byte[] text = line.getBytes(StandardCharsets.UTF_8);
-      channel.write(PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", text).toBytes());
-      PeerFrame answer = PeerFrame.parse(channel.read());
-      String words = new String(answer.bytes(), StandardCharsets.UTF_8);
-      if (answer.number() != 0) {
-        throw new IOException(server.name() + ": " + words);
-      }
-      return words;
+      channel.write(question.toBytes());
+      return PeerFrame.parse(channel.read());
     }
   }
 

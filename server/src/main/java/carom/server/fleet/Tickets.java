@@ -49,6 +49,7 @@ final class Tickets {
               json.writeStringField("room", guest.room());
               json.writeStringField("game", guest.game());
               json.writeStringField("party", guest.party());
+              json.writeNumberField("skill", guest.skill());
               json.writeBooleanField("anywhere", guest.anywhere());
             });
     if (directory.create(HashedKey.of(PREFIX, ticket), value, directory.lease(TTL_MS)) == 0) {
@@ -77,6 +78,7 @@ final class Tickets {
               FleetJson.text(json, "room"),
               FleetJson.text(json, "game"),
               FleetJson.text(json, "party"),
+              (int) FleetJson.number(json, "skill"),
               FleetJson.flag(json, "anywhere"));
       boolean isHere = FleetJson.number(json, "server") == server;
       return isHere && directory.delete(entry.key(), entry.number()) ? guest : null;

@@ -134,6 +134,7 @@ public final class Lobby {
         entranceOf(visitor).remove(visitor);
       }
     }
+    context.tellLookers();
     if (work > 0) {
       entrance.sort();
       plainEntrance.sort();

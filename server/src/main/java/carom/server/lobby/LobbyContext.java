@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
@@ -86,6 +87,13 @@ final class LobbyContext {
   /** Returns the visitors in order of arrival. */
   List<Visitor> visitors() {
     return visitors;
+  }
+
+  /** Tells the rest of the fleet who looks here for players about as good. */
+  void tellLookers() {
+    directory
+        .fleet()
+        .look(visitors.stream().map(Visitor::looker).filter(Objects::nonNull).toList());
   }
 
   /** Returns the links that are told goodbye. */

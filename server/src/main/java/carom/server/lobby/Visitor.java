@@ -21,12 +21,15 @@ import carom.server.access.EntryRule;
 import carom.server.access.GamePassword;
 import carom.server.access.JoinTokens;
 import carom.server.account.AccountService;
+import carom.server.account.PlayerSkill;
 import carom.server.account.Stay;
 import carom.server.config.ServerConfig;
 import carom.server.match.MatchInfo;
+import carom.server.room.FillUp;
 import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
+import carom.server.room.RoomOffer;
 import carom.server.room.RoomSearch;
 import carom.server.session.Admission;
 import carom.server.session.LevelUpload;
@@ -52,6 +55,7 @@ import org.slf4j.LoggerFactory;
 final class Visitor implements LinkHandler, Entrance.Guest {
   private static final Logger LOG = LoggerFactory.getLogger(Visitor.class);
   private static final long NS_PER_MS = 1_000_000;
+  private static final double NS_PER_S = 1e9;
   private static final int MAX_POLL = 32;
   private static final int FIRST_EPOCH = 0;
 
@@ -90,21 +94,22 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       String room,
       String game,
       String party,
+      int skill,
       long resumeSecret,
       boolean anywhere) {
 
     /** Returns the same request for any room. */
     JoinRequest forAnyRoom() {
-      return new JoinRequest(name, account, "", game, party, resumeSecret, true);
+      return new JoinRequest(name, account, "", game, party, skill, resumeSecret, true);
     }
 
     /** Returns the same request for the room of the party. */
     JoinRequest forRoomOfParty(String room) {
-      return new JoinRequest(name, account, room, game, party, resumeSecret, false);
+      return new JoinRequest(name, account, room, game, party, skill, resumeSecret, false);
     }
 
-    RoomSearch search() {
-      return new RoomSearch(game, !party.isEmpty());
+    FillUp fillUp() {
+      return new FillUp(game, !party.isEmpty());
     }
   }
 
@@ -161,6 +166,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   private Future<Boolean> seating;
 
   private boolean mayBeSeated;
+
+  /** The look for players about as good, or null where skill doesn't count. */
+  private SkillLook look;
 
   /** The level that the client sends instead of joining, or null. */
   private LevelIntake intake;
@@ -534,6 +542,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
             guest.room(),
             guest.game(),
             guest.party(),
+            guest.skill(),
             hello.resumeSecret(),
             guest.anywhere()));
   }
@@ -541,7 +550,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
   /** Welcomes a visitor whose room this server owns by now. */
   private void lookForRoom() {
     if (chooser.expecting(standby.secret()) != null) {
-      waiting = new JoinRequest("", "", standby.room(), "", "", standby.secret(), false);
+      waiting =
+          new JoinRequest(
+              "", "", standby.room(), "", "", PlayerSkill.NO_CLAIM, standby.secret(), false);
       waitsUntilNs = context.nowNs() + ENTRANCE_WAIT_MS * NS_PER_MS;
       standby = null;
     } else if (early != null && context.nowNs() - waitsUntilNs >= 0) {
@@ -585,6 +596,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           hello.room(),
           hello.game(),
           party,
+          PlayerSkill.NO_CLAIM,
           hello.resumeSecret(),
           hello.room().isEmpty() || hello.resumeSecret() != 0);
     }
@@ -606,6 +618,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
           token.room().isEmpty() ? hello.room() : token.room(),
           hello.game(),
           party,
+          token.skill(),
           0,
           token.room().isEmpty() && hello.room().isEmpty());
     } catch (JoinTokens.BadTokenException e) {
@@ -665,7 +678,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return;
     }
     Room expecting = chooser.expecting(waiting.resumeSecret());
-    if (expecting == null && isPartyAskedFor()) {
+    if (expecting == null
+        && (isSkillAskedFor() || isPartyAskedFor() || (waiting.room().isEmpty() && isLooking()))) {
       return;
     }
     Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
@@ -730,7 +744,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     FleetDoor fleet = directory.fleet();
     FleetDoor.Place there =
         waiting.room().isEmpty()
-            ? better(fleet.best(waiting.search(), link.door()))
+            ? better(fleet.best(search(), link.door()), search())
             : fleet.find(waiting.room(), link.door());
     if (there == null) {
       return false;
@@ -744,24 +758,99 @@ final class Visitor implements LinkHandler, Entrance.Guest {
                 there.room(),
                 waiting.game(),
                 waiting.party(),
+                waiting.skill(),
                 waiting.anywhere()),
             link.door());
     return true;
   }
 
   /** Returns a place elsewhere if it is better than each one here, by the rules for rooms here. */
-  private FleetDoor.Place better(FleetDoor.Place there) {
-    Room here = bestHere();
-    RoomSearch search = waiting.search();
-    return there == null
-            || here == null
-            || search.fit(there.game(), there.taken(), there.places()) > search.fit(here)
+  private FleetDoor.Place better(FleetDoor.Place there, RoomSearch search) {
+    Room here = bestHere(search);
+    return there == null || here == null || search.fit(there.offer()) > search.fit(here.offer())
         ? there
         : null;
   }
 
-  private Room bestHere() {
-    return directory.best(waiting.search(), room -> !chooser.isOverloaded(room));
+  private Room bestHere(RoomSearch search) {
+    return directory.best(search, room -> !chooser.isOverloaded(room));
+  }
+
+  /** Returns the best room of all by a rule, here or elsewhere; null if there is none. */
+  private RoomOffer bestOffer(RoomSearch search) {
+    FleetDoor.Place there = better(directory.fleet().best(search, link.door()), search);
+    Room here = there == null ? bestHere(search) : null;
+    return there != null ? there.offer() : here != null ? here.offer() : null;
+  }
+
+  /** Returns the rule by which the visitor gets a room. */
+  private RoomSearch search() {
+    return look == null
+        ? waiting.fillUp()
+        : look.search(
+            waiting.fillUp(), !waiting.party().isEmpty() || isFirstOfTwo(), context.nowNs());
+  }
+
+  /** Returns whether another visitor suits this one and waits for it to begin in an empty room. */
+  private boolean isFirstOfTwo() {
+    boolean isBehind = false;
+    for (Visitor visitor : context.visitors()) {
+      if (isBehind && visitor.looker() != null && look.suits(visitor.look, context.nowNs())) {
+        return true;
+      }
+      isBehind |= visitor == this;
+    }
+    return directory.fleet().lookersElsewhere().stream()
+        .anyMatch(other -> look.suits(other, context.nowNs()));
+  }
+
+  /** Returns what others may know of a visitor who looks for players about as good, or null. */
+  FleetDoor.Looker looker() {
+    return done || waiting == null || look == null || look.isOver(context.nowNs())
+        ? null
+        : look.own();
+  }
+
+  /** Returns whether the store of accounts is asked how good the visitor is, where that counts. */
+  private boolean isSkillAskedFor() {
+    if (look == null && config.get(ServerConfig.ROOM_RULE) == ServerConfig.RoomRule.SKILL) {
+      look =
+          new SkillLook(
+              waiting.skill(),
+              waiting.account(),
+              directory.accounts(),
+              (long) (config.get(ServerConfig.SKILL_WAIT) * NS_PER_S),
+              context.nowNs());
+    }
+    return look != null && look.isAsking(context.nowNs());
+  }
+
+  /** Returns whether the visitor goes on looking for players about as good. */
+  private boolean isLooking() {
+    long nowNs = context.nowNs();
+    if (look == null || look.isOver(nowNs)) {
+      return false;
+    }
+    if (look.isDue(nowNs)) {
+      RoomOffer otherwise = bestOffer(waiting.fillUp());
+      if (otherwise != null) {
+        look.otherwise(otherwise);
+      }
+      if (otherwise == null || look.isOver(nowNs)) {
+        return false;
+      }
+      RoomOffer found = bestOffer(search());
+      String game = waiting.game();
+      if (found != null && (found.game().equals(game) || !otherwise.game().equals(game))) {
+        return false;
+      }
+    }
+    String news = look.news(nowNs);
+    if (news != null) {
+      link.send(new ServerMessage.Notice(news));
+    }
+    waitsUntilNs = nowNs + ENTRANCE_WAIT_MS * NS_PER_MS;
+    return true;
   }
 
   /**
@@ -787,8 +876,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         return true;
       }
       if (settling == null) {
-        FleetDoor.Place there = better(fleet.best(waiting.search(), link.door()));
-        Room best = bestHere();
+        RoomSearch search = search();
+        FleetDoor.Place there = better(fleet.best(search, link.door()), search);
+        Room best = bestHere(search);
         if (there == null && best == null) {
           return false; // all are full
         }
@@ -889,7 +979,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    * Takes a seat in the requested room, or the fullest that has one; returns whether it got one.
    */
   private boolean takeSeat(Room requested) {
-    Room chosen = requested == null ? bestHere() : requested;
+    Room chosen = requested == null ? bestHere(search()) : requested;
     if (chosen != null
         && chooser.seatsLeft(chosen) > context.countPromised(chosen, this)
         && context.countLoading(origin.host())
@@ -897,6 +987,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       room = chosen;
       seat = room.seats().take(waiting.name(), waiting.account(), origin);
       seat.party(waiting.party());
+      seat.skill(look == null ? new PlayerSkill(waiting.skill(), null) : look.skill());
       isNewcomer = true;
     }
     return seat != null;

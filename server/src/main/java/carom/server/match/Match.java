@@ -72,6 +72,7 @@ public final class Match {
             seed,
             Declarations.of(simulation.schema(), simulation.messageKinds()),
             GameDigest.of(rules),
+            rules.skill(),
             config.get().get(ServerConfig.DEV));
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);

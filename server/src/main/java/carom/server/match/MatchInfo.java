@@ -4,6 +4,7 @@ import carom.net.field.Declarations;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.replay.RecordingHeader;
 import carom.server.session.LoadedLevel;
+import carom.sim.Skill;
 
 /**
  * The facts that a client must know of a room's match to play it. Immutable; any thread.
@@ -15,6 +16,7 @@ import carom.server.session.LoadedLevel;
  * @param seed seed of the match's random numbers
  * @param declarations of the game's fields and kinds of messages
  * @param gameDigest digest of the game's code
+ * @param skill of the game's players, or null
  * @param takesAnyCode whether clients whose code differs may play all the same
  */
 public record MatchInfo(
@@ -25,6 +27,7 @@ public record MatchInfo(
     long seed,
     Declarations declarations,
     long gameDigest,
+    Skill skill,
     boolean takesAnyCode) {
   /** Returns whether a recording with this header is one of the room's match of a number. */
   boolean isThatOf(RecordingHeader header, int match) {

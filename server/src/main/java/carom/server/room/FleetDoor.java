@@ -2,6 +2,7 @@ package carom.server.room;
 
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
+import carom.server.account.PlayerSkill;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
@@ -23,6 +24,14 @@ public interface FleetDoor {
         @Override
         public Place best(RoomSearch search, Link.Door door) {
           return null;
+        }
+
+        @Override
+        public void look(List<Looker> lookers) {}
+
+        @Override
+        public List<Looker> lookersElsewhere() {
+          return List.of();
         }
 
         @Override
@@ -81,11 +90,17 @@ public interface FleetDoor {
    *
    * @param server that server's number in the directory
    * @param room name of the room
-   * @param game name of the game that it plays
-   * @param taken seats that are taken, as its server told last
-   * @param places number of seats
+   * @param offer what its server told last
    */
-  record Place(long server, String room, String game, int taken, int places) {}
+  record Place(long server, String room, RoomOffer offer) {}
+
+  /**
+   * A player who looks for players about as good.
+   *
+   * @param game name of the game that the player is likely to play
+   * @param skill in it
+   */
+  record Looker(String game, int skill) {}
 
   /**
    * A player on the way from one server to another.
@@ -95,10 +110,17 @@ public interface FleetDoor {
    * @param room name of the room
    * @param game name of the game that the player asked for, or empty
    * @param party name of the player's party, or empty
+   * @param skill that the player's join token claims, or {@link PlayerSkill#NO_CLAIM}
    * @param anywhere whether the player didn't ask for this room, so that another one will do
    */
   record Guest(
-      String name, String account, String room, String game, String party, boolean anywhere) {}
+      String name,
+      String account,
+      String room,
+      String game,
+      String party,
+      int skill,
+      boolean anywhere) {}
 
   /** Begins every ticket, so that it can't be taken for a join token. */
   String TICKET = "ticket.";
@@ -121,6 +143,15 @@ public interface FleetDoor {
    * @param door by which the client must reach it
    */
   Place best(RoomSearch search, Link.Door door);
+
+  /** Tells the other servers who looks for players about as good here; at most some tens. */
+  void look(List<Looker> lookers);
+
+  /**
+   * Returns who looks for players about as good at servers with a higher number than this one's: of
+   * two players who suit each other, the one here goes to an empty room, the other one follows.
+   */
+  List<Looker> lookersElsewhere();
 
   /** Returns a room elsewhere in which a party has members and to which a door leads, or null. */
   String roomOfParty(String party, Link.Door door);

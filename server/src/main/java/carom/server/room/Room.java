@@ -581,6 +581,16 @@ public final class Room {
         settings.metadata());
   }
 
+  /** Returns what newcomers who name no room are told by; from any thread. */
+  public RoomOffer offer() {
+    MatchInfo match = match();
+    return new RoomOffer(
+        match.game(),
+        seats().takenCount(),
+        seats().count(),
+        match.skill() == null ? null : seats().skill(match.game(), match.skill()));
+  }
+
   /** Returns the number of ticks that the room has run, of all matches; from any thread. */
   public int age() {
     return context.age();

@@ -113,7 +113,7 @@ public final class RoomDirectory {
     Room best = null;
     int most = -1;
     for (Room room : rooms) {
-      int fit = room.hasFailed() ? -1 : search.fit(room);
+      int fit = room.hasFailed() ? -1 : search.fit(room.offer());
       if (fit > most && takes.test(room)) {
         most = fit;
         best = room;

@@ -120,7 +120,7 @@ final class RoomSwitches {
     return friends != null && friends.seats().takenCount() < friends.seats().count()
         ? friends
         : directory.best(
-            new RoomSearch(room.match().info().game(), !party.isEmpty()), other -> other != self);
+            new FillUp(room.match().info().game(), !party.isEmpty()), other -> other != self);
   }
 
   private void move(Session session, String name, long nowNs) {
@@ -179,6 +179,7 @@ final class RoomSwitches {
               name,
               "",
               session.seat().party(),
+              session.seat().skill().claim(),
               false);
       tickets.put(session, directory.fleet().move(there, guest, session.door()));
       return true;

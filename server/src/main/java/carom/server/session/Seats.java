@@ -3,7 +3,9 @@ package carom.server.session;
 import carom.net.admission.AddressGroup;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.ProtocolLimits;
+import carom.server.account.PlayerSkill;
 import carom.server.account.Stay;
+import carom.sim.Skill;
 import carom.text.Texts;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -206,6 +208,7 @@ public final class Seats {
       if (seat != null) {
         seat.muted = from.muted;
         seat.party = from.party;
+        seat.skill = from.skill;
         seat.behind = () -> room.free(from);
       }
       return seat;
@@ -262,6 +265,25 @@ public final class Seats {
       }
     }
     return accounts;
+  }
+
+  /**
+   * Returns the skill of those who have a seat and whose skill is known.
+   *
+   * @param skill that the game names
+   */
+  public synchronized RoomSkill skill(String game, Skill skill) {
+    RoomSkill nobody = RoomSkill.ofNobody(skill);
+    int players = 0;
+    long sum = 0;
+    for (Seat seat : taken) {
+      PlayerSkill known = seat == null || seat.bots ? PlayerSkill.UNKNOWN : seat.skillNow();
+      if (known.isKnown()) {
+        players++;
+        sum += known.in(game, nobody.field(), nobody.start());
+      }
+    }
+    return players == 0 ? nobody : nobody.with(players, (int) (sum / players));
   }
 
   /** Returns how many members of a party have a seat. */
@@ -498,6 +520,7 @@ public final class Seats {
     private final String name;
     private volatile String account;
     private volatile String party = "";
+    private volatile PlayerSkill skill = PlayerSkill.UNKNOWN;
     private final long secret;
     private final int switches;
     private int claims; // guarded by the seats' lock, as the next three
@@ -550,6 +573,21 @@ public final class Seats {
     /** Sets the player's party; empty for none. */
     public void party(String newParty) {
       party = newParty;
+    }
+
+    /** Returns what was known of the player's skill when the player took the seat. */
+    public PlayerSkill skill() {
+      return skill;
+    }
+
+    /** Sets what is known of the player's skill. */
+    public void skill(PlayerSkill newSkill) {
+      skill = newSkill;
+    }
+
+    private PlayerSkill skillNow() {
+      Stay now = stay;
+      return now == null ? skill : new PlayerSkill(skill.claim(), now.values());
     }
 
     /** Returns how often the player has gone to another room. */

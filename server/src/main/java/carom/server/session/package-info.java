@@ -4,8 +4,8 @@
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
  * carom.net.snapshot..}, {@code carom.net.codec}, {@code carom.sim}, {@code carom.physics}, {@code
- * carom.server.replication}, {@code carom.server.thin}, {@code carom.server.config}, {@code
- * carom.server.metrics}, slf4j, the JDK.
+ * carom.server.account}, {@code carom.server.replication}, {@code carom.server.thin}, {@code
+ * carom.server.config}, {@code carom.server.metrics}, slf4j, the JDK.
  *
  * <p>Read first: {@link carom.server.session.Session}, {@link carom.server.session.InputBuffer},
  * {@link carom.server.session.Seats}.

@@ -137,6 +137,9 @@ final class PageJson {
             g.writeNumberField("lag", room.lag());
             g.writeBooleanField("exact", room.isLagExact());
             g.writeNumberField("players", room.players());
+            if (room.skill() != null) {
+              g.writeNumberField("skill", room.skill());
+            }
             g.writeNumberField("places", room.places());
             g.writeEndObject();
           }

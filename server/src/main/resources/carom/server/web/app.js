@@ -386,8 +386,8 @@ function showFleet(message) {
     });
   const rooms = message.rooms.sort(byName);
   const lag = r => !r.follower ? '–' : r.exact ? r.lag : r.lag ? `≥ ${r.lag}` : `< ${message.step}`;
-  fill('fleet-rooms', rooms, ['', 'wide', 'num', '', 'wide num', 'wide', 'wide num'],
-    r => [r.name, r.level ? `${r.game} · ${r.level}` : r.game, `${r.players}/${r.places}`, r.owner || 'gone', r.claim, r.follower || 'none yet', lag(r)],
+  fill('fleet-rooms', rooms, ['', 'wide', 'num', 'wide num', '', 'wide num', 'wide', 'wide num'],
+    r => [r.name, r.level ? `${r.game} · ${r.level}` : r.game, `${r.players}/${r.places}`, r.skill ?? '–', r.owner || 'gone', r.claim, r.follower || 'none yet', lag(r)],
     (place, r) => button(place, 'Move', () => move(r.name), 'danger'))
     .forEach((row, i) => row.cells[6].classList.toggle('bad', rooms[i].lag >= message.step));
   $('fleet-news').replaceChildren(...message.news.map(([age, text]) => {

@@ -42,6 +42,7 @@ public final class ArenaFields {
   // Of an account.
   static final Count WINS = Field.count("wins").of(ACCOUNT).to(ALL);
   static final Count SCORED = Field.count("scored").of(ACCOUNT).to(ALL);
+  static final Count RATING = Field.count("rating", 0, 3_000).of(ACCOUNT).to(ALL).startsAt(1_500);
 
   // Of the match. Goals have the team as index.
   static final Count GOALS =
@@ -88,6 +89,7 @@ public final class ArenaFields {
         UNTIL_STUCK,
         GLOW,
         BOOST,
-        BURST);
+        BURST,
+        RATING);
   }
 }

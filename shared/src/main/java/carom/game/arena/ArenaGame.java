@@ -17,6 +17,7 @@ import carom.sim.MatchClock;
 import carom.sim.MatchPhase;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
+import carom.sim.Skill;
 import carom.sim.entity.Contact;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Input;
@@ -194,6 +195,11 @@ public final class ArenaGame implements Game {
   @Override
   public List<Gauge> gauges() {
     return List.of(Gauge.teamScore(ArenaFields.GOALS));
+  }
+
+  @Override
+  public Skill skill() {
+    return Skill.of(ArenaFields.RATING).within(100).widening(40);
   }
 
   @Override

@@ -2,6 +2,7 @@ package carom.game.arena;
 
 import static carom.game.arena.ArenaFields.GOALS;
 import static carom.game.arena.ArenaFields.LAMP;
+import static carom.game.arena.ArenaFields.RATING;
 import static carom.game.arena.ArenaFields.SCORED;
 import static carom.game.arena.ArenaFields.TOUCHED;
 import static carom.game.arena.ArenaFields.TOUCHED_BEFORE;
@@ -17,6 +18,12 @@ import carom.sim.level.Level;
 
 /** Goals: the team that each counts for, the lamps that show them, and the winner. */
 final class Goals {
+  /** Points that a player gains by a win over players who are as good. */
+  private static final int EVEN_POINTS = 16;
+
+  /** Difference of ratings that takes one of these points away. */
+  private static final int EDGE_OF_POINT = 25;
+
   private final Pitch pitch;
   private final Discs discs;
 
@@ -84,9 +91,33 @@ final class Goals {
     for (Player p : m.players()) {
       p.add(WINS, winner != 0 && m.team(p) == winner ? 1 : 0);
     }
+    rate(m, winner);
     String result = winner == 0 ? "A draw, " : Pitch.TEAM_NAMES[winner] + " wins ";
     m.notice(result + red + " : " + blue + "!");
     m.notice(reason(m, Math.max(red, blue)));
+  }
+
+  /**
+   * Rates the players of two teams anew, by Elo's formula with a straight line for its curve: the
+   * winners get more, the better the others were.
+   */
+  private static void rate(Match m, int winner) {
+    if (winner == 0 || m.teamSize(1) == 0 || m.teamSize(2) == 0) {
+      return;
+    }
+    int edge = rating(m, winner) - rating(m, Pitch.TEAMS + 1 - winner);
+    int points = Math.max(1, Math.min(2 * EVEN_POINTS - 1, EVEN_POINTS - edge / EDGE_OF_POINT));
+    for (Player p : m.players()) {
+      p.add(RATING, m.team(p) == winner ? points : -points);
+    }
+  }
+
+  private static int rating(Match m, int team) {
+    int sum = 0;
+    for (Player p : m.players()) {
+      sum += m.team(p) == team ? p.get(RATING) : 0;
+    }
+    return sum / m.teamSize(team);
   }
 
   /** Returns why the match is over, and who scored most. */

@@ -8,7 +8,6 @@ import carom.client.desktop.hud.Readiness;
 import carom.client.desktop.hud.ShownGame;
 import carom.client.desktop.menu.StartScreen;
 import carom.client.link.ConnectionPhase;
-import carom.client.link.ServerAddress;
 import carom.client.settings.PlayerSettings;
 import carom.client.stats.NetStats;
 import carom.client.view.ClientView;
@@ -167,13 +166,20 @@ final class ScreenTour {
     typed(Keys.ESCAPE);
     require(button("Join") != null, "Esc again goes back");
     Screen before = window().screen();
-    run(() -> window().play(ServerAddress.parse("127.0.0.1:1"), ""));
+    write("party", "no way");
+    press("Join");
+    look("an unusable party");
+    require(window().screen() == before && window().party().isEmpty(), "it is refused");
+    write("party", "trio");
+    write("address", "127.0.0.1:1");
+    press("Join");
     until(() -> window().screen() instanceof StartScreen && window().screen() != before);
     look("failed join");
     boolean atAddress =
         ((Stage) input()).getKeyboardFocus() instanceof TextField field
             && field.getText().equals("127.0.0.1:1");
     require(atAddress, "a failed join leaves the player at the address");
+    require(window().settings().get(PlayerSettings.PARTY).equals("trio"), "the party is kept");
     require(button("Play here instead") != null, "it offers to play here");
     play("rockets", 3);
     Set<Integer> colours = new HashSet<>();
@@ -189,6 +195,12 @@ final class ScreenTour {
     until(() -> MatchClock.phase(screen().view().match()) != MatchPhase.WARM_UP);
     robot.keyRelease(KeyEvent.VK_D);
     look("rockets begins");
+  }
+
+  /** Writes into a field of the page. */
+  private void write(String field, String text) throws Exception {
+    run(() -> ((TextField) ((Stage) input()).getRoot().findActor(field)).setText(text));
+    frames(1);
   }
 
   private static TextButton button(String text) {

@@ -121,7 +121,7 @@ final class ScreensTest {
             .filter(line -> line.startsWith("problem") || line.contains("--snapshot-rate"))
             .toList();
     assertEquals(List.of(), problems, look.name());
-    List<String> made = new ArrayList<>(List.of("menus: 8", "ways: 3", "game: 9", "others: 2"));
+    List<String> made = new ArrayList<>(List.of("menus: 8", "ways: 4", "game: 9", "others: 2"));
     made.addAll(List.of("edit: 3", "replay: 2"));
     if (look.textSize > 100) {
       made.add("largest: 8");

@@ -45,6 +45,7 @@ final class SettingsFileTest {
     PlayerSettings changed =
         PlayerSettings.defaults()
             .with(PlayerSettings.NAME, "Ann \u00c4")
+            .with(PlayerSettings.PARTY, "trio")
             .with(PlayerSettings.VOLUME, 70)
             .withWindow(1_920, 1_080)
             .with(PlayerSettings.FULLSCREEN, true)

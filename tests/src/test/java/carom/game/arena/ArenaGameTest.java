@@ -238,8 +238,8 @@ class ArenaGameTest {
 
   @Test
   void fiveGoalsWinAndTheNextMatchIsAskedFor() {
-    s.join("ann");
-    s.join("ben");
+    HostPlayer ann = s.join("ann");
+    HostPlayer ben = s.join("ben");
     for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
       assertEquals(goal, count("lamp.Red"));
       run(130);
@@ -251,6 +251,8 @@ class ArenaGameTest {
     assertTrue(notices.contains("Red wins 5 : 0!"), notices.toString());
     assertEquals(MatchPhase.OVER, MatchClock.phase(s));
     assertEquals(1, MatchClock.winningTeam(s));
+    assertEquals(1_516, ann.get(ArenaFields.RATING));
+    assertEquals(1_484, ben.get(ArenaFields.RATING));
     run(200);
     assertNull(ball());
     assertNull(s.outbox().takeNextMatch());
@@ -285,8 +287,10 @@ class ArenaGameTest {
 
   @Test
   void aMatchOfFiveMinutesEndsWithItsStanding() {
-    s.join("ann");
-    s.join("ben");
+    HostPlayer ann = s.join("ann");
+    HostPlayer ben = s.join("ben");
+    ann.set(ArenaFields.RATING, 1_900);
+    ben.set(ArenaFields.RATING, 1_500);
     run(130);
     put(ball(), -18.8f, 0);
     run(MatchClock.ticksLeft(s) - 1);
@@ -297,6 +301,8 @@ class ArenaGameTest {
     assertEquals(MatchPhase.OVER, MatchClock.phase(s));
     assertTrue(notices.contains("Blue wins 0 : 1!"), notices.toString());
     assertEquals(2, MatchClock.winningTeam(s));
+    assertEquals(1_531, ben.get(ArenaFields.RATING), "the worse one gets the most");
+    assertEquals(1_869, ann.get(ArenaFields.RATING));
   }
 
   @Test

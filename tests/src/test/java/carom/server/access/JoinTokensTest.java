@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.PlayerName;
+import carom.server.account.PlayerSkill;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -75,14 +76,23 @@ final class JoinTokensTest {
   @Test
   void aGoodTokenSaysWhoItIs() throws JoinTokens.BadTokenException {
     assertEquals(
-        new JoinTokens.Token("42", "Zo\u00eb", "cup"),
+        new JoinTokens.Token("42", "Zo\u00eb", "cup", PlayerSkill.NO_CLAIM),
         tokens.check(
             token(
                 backend,
                 HEAD,
                 claims(",\"name\":\"Zo\u00eb\",\"room\":\"cup\",\"server\":\"" + SERVER + "\""))));
     assertEquals(
-        new JoinTokens.Token("42", "", ""), tokens.check(token(backend, HEAD, claims(""))));
+        new JoinTokens.Token("42", "", "", PlayerSkill.NO_CLAIM),
+        tokens.check(token(backend, HEAD, claims(""))));
+  }
+
+  @Test
+  void aTokenMayClaimHowGoodAPlayerIs() throws JoinTokens.BadTokenException {
+    assertEquals(1_500, tokens.check(token(backend, HEAD, claims(",\"skill\":1500"))).skill());
+    for (String wrong : List.of("-1", "1000001", "1.5", "\"1500\"", "true")) {
+      refused(token(backend, HEAD, claims(",\"skill\":" + wrong)), "The token's skill is no");
+    }
   }
 
   @Test

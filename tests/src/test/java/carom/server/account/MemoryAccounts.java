@@ -109,21 +109,25 @@ public final class MemoryAccounts implements AccountStore {
   }
 
   @Override
+  public List<KnownValue> valuesOf(String account) throws IOException {
+    require(!isDown);
+    List<KnownValue> values = new ArrayList<>();
+    AccountWrite.Place nowhere = new AccountWrite.Place("", 0, 0);
+    kept.getOrDefault(account, Map.of())
+        .forEach(
+            (game, all) -> all.forEach((f, v) -> values.add(new KnownValue(game, f, v, nowhere))));
+    return values;
+  }
+
+  @Override
   public List<Known> find(String who, int most) throws IOException {
     require(!isDown);
     List<Known> found = new ArrayList<>();
-    accounts.forEach(
-        (account, row) -> {
-          if (account.equals(who) || row.name.equalsIgnoreCase(who)) {
-            List<KnownValue> values = new ArrayList<>();
-            AccountWrite.Place nowhere = new AccountWrite.Place("", 0, 0);
-            kept.getOrDefault(account, Map.of())
-                .forEach(
-                    (game, all) ->
-                        all.forEach((f, v) -> values.add(new KnownValue(game, f, v, nowhere))));
-            found.add(new Known(account, row.name, values));
-          }
-        });
+    for (Map.Entry<String, Row> one : accounts.entrySet()) {
+      if (one.getKey().equals(who) || one.getValue().name.equalsIgnoreCase(who)) {
+        found.add(new Known(one.getKey(), one.getValue().name, valuesOf(one.getKey())));
+      }
+    }
     found.sort(Comparator.comparing(Known::account));
     return found.subList(0, Math.min(most, found.size()));
   }

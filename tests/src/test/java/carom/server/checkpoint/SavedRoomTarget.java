@@ -3,6 +3,7 @@ package carom.server.checkpoint;
 import carom.fuzz.FuzzTarget;
 import carom.net.snapshot.frame.EventRing;
 import carom.server.account.AccountValues;
+import carom.server.account.PlayerSkill;
 import carom.server.account.Stay;
 import carom.server.session.Session;
 import carom.sim.SimState;
@@ -82,6 +83,7 @@ public final class SavedRoomTarget implements FuzzTarget {
                     "Ann (2)",
                     "4711",
                     "trio",
+                    1_700,
                     -77,
                     true,
                     1_234,
@@ -97,6 +99,7 @@ public final class SavedRoomTarget implements FuzzTarget {
                     "Zo\u00eb",
                     "",
                     "",
+                    PlayerSkill.NO_CLAIM,
                     5,
                     false,
                     -1,

@@ -10,6 +10,7 @@ import carom.net.protocol.Protocol;
 import carom.net.snapshot.frame.EventRing;
 import carom.server.account.AccountValues;
 import carom.server.account.AccountWrite;
+import carom.server.account.PlayerSkill;
 import carom.server.account.Stay;
 import carom.server.session.Seats;
 import carom.server.session.Session;
@@ -41,6 +42,7 @@ class SavedRoomTest {
             "Ann (2)",
             "4711",
             "trio",
+            1_700,
             -77,
             true,
             1_234,
@@ -57,6 +59,7 @@ class SavedRoomTest {
             "Zoë",
             "",
             "",
+            PlayerSkill.NO_CLAIM,
             5,
             false,
             SavedSeat.PLAYED,

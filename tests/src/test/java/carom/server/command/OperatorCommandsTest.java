@@ -45,7 +45,7 @@ final class OperatorCommandsTest {
     stepper.join("Bob B", Impairment.NONE, new Bot(Stepper.SEED + 1));
     stepper.run(1);
     DataFolder data = new DataFolder(folder);
-    RoomCommands.add(registry, stepper.server().rooms(), data, null);
+    RoomCommands.add(registry, stepper.server().rooms(), data, null, SaveSource.NONE);
     EffectiveSetting seed = new EffectiveSetting(ServerConfig.SEED, List.of("7"), "command line");
     EffectiveSetting grace =
         new EffectiveSetting(ServerConfig.GRACE, List.of(), EffectiveSetting.DEFAULT);

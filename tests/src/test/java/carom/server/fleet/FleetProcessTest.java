@@ -14,6 +14,7 @@ import carom.client.link.ConnectionPhase;
 import carom.fixtures.Jvm;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
+import carom.server.Backend;
 import carom.server.CaromMain;
 import carom.server.ServerMain;
 import carom.server.directory.EtcdProgram;
@@ -221,6 +222,39 @@ class FleetProcessTest {
       assertEquals(before, browser.evaluate(seat), "the same seat");
       assertTrue(read("b").contains("back: Zo\u00eb"), () -> read("b"));
     }
+  }
+
+  private GameClient come(String server, String name, int skill) throws Exception {
+    long expires = System.currentTimeMillis() / 1_000 + 600;
+    ClientConfig config =
+        ClientConfig.of(name)
+            .with(ClientConfig.TOKEN, Backend.token(name, skill, expires))
+            .withServer("127.0.0.1", ports.get(server), 0);
+    GameClient client = new GameClient(config, transport, new Bot(clients.size(), true));
+    clients.add(client);
+    return client;
+  }
+
+  @Test
+  void playersGetToThoseWhoAreAsGoodOnWhicheverServer() throws Exception {
+    etcd = new EtcdProgram(folder, "http");
+    Backend.rule(folder); // writes the key
+    String key = folder.resolve("join.pem").toString();
+    start("a", "--join-key", key, "--room-rule", "skill", "--skill-wait", "30");
+    start("b", "--join-key", key, "--room-rule", "skill", "--skill-wait", "30");
+    transport = new KryoClientTransport();
+    GameClient low = come("a", "low", 1_000);
+    updateUntil("the first plays", this::allPlay);
+    updateUntil("its skill is told", () -> carom("rooms").contains(" 1000 "));
+    GameClient high = come("a", "high", 2_000);
+    updateUntil("told to wait", () -> high.view().message().startsWith("Looking for players"));
+    GameClient equal = come("b", "equal", 2_050);
+    updateUntil("equals play", this::allPlay);
+    assertEquals(high.view().room(), equal.view().room());
+    assertNotEquals(low.view().room(), high.view().room());
+    GameClient between = come("b", "between", 1_400); // (400 - 100) / 40 s
+    updateUntil("all play", this::allPlay);
+    assertEquals(low.view().room(), between.view().room());
   }
 
   @Test

@@ -1,7 +1,5 @@
 package carom.server.fleet;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.bots.Bot;
@@ -10,6 +8,7 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.server.Server;
+import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.config.ServerConfig.Durability;
@@ -42,6 +41,9 @@ public final class FleetRig implements AutoCloseable {
 
   /** How the servers' rooms are kept; before the first one. */
   Durability durability = Durability.ASYNC;
+
+  /** By which newcomers get a room; before the first one. */
+  ServerConfig.RoomRule roomRule = ServerConfig.RoomRule.FILL;
 
   /** Time that each word takes from one server to another. */
   long lagNs;
@@ -145,12 +147,14 @@ public final class FleetRig implements AutoCloseable {
               folder.resolve(name).resolve("followed"));
       member = new FleetMember(door, settings, this::now, Runnable::run, Runnable::run, () -> {});
       member.reachesBy(peers, name + ":1");
+      member.keepsSaves(new DataFolder(folder.resolve(name)));
       member.join();
       ServerConfig config =
           ServerConfig.defaults()
               .with(ServerConfig.STATUS_INTERVAL, 0)
               .with(ServerConfig.IDLE, ServerConfig.Idle.PAUSE)
               .with(ServerConfig.ROOMS, Math.max(1, rooms))
+              .with(ServerConfig.ROOM_RULE, roomRule)
               .with(ServerConfig.MAX_PLAYERS, places);
       List<RoomConfig> own =
           rooms == 0
@@ -323,14 +327,8 @@ public final class FleetRig implements AutoCloseable {
     }
 
     @Override
-    public String command(ServerRecord server, String line) throws IOException {
-      PeerFrame ask = PeerFrame.of(PeerFrame.Kind.COMMAND, 0, "", line.getBytes(UTF_8));
-      PeerFrame answer = node(server.lease()).member.inbox().command(ask);
-      String words = new String(answer.bytes(), UTF_8);
-      if (answer.number() != 0) {
-        throw new IOException(words);
-      }
-      return words;
+    public PeerFrame ask(ServerRecord server, PeerFrame question) throws IOException {
+      return node(server.lease()).member.inbox().answer(PeerFrame.parse(question.toBytes()));
     }
 
     @Override

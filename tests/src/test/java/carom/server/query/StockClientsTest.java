@@ -10,6 +10,7 @@ import carom.server.access.Secret;
 import carom.server.command.Command;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
+import carom.server.command.SaveSource;
 import carom.server.config.DataFolder;
 import carom.suite.Needs;
 import carom.testkit.Stepper;
@@ -54,7 +55,8 @@ final class StockClientsTest {
         new StatusFacts("My server", "1.2", 54_555, 54_777, stepper.server().rooms());
     query = new StatusQuery(LOOPBACK, 0, facts);
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, stepper.server().rooms(), new DataFolder(folder), null);
+    RoomCommands.add(
+        commands, stepper.server().rooms(), new DataFolder(folder), null, SaveSource.NONE);
     commands.add(
         new Command("long", "", "", words -> "0123456789".repeat(1_000) + "end", Command.NONE));
     Path file = Files.writeString(folder.resolve("rcon.password"), PASSWORD);

@@ -19,6 +19,7 @@ import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.match.HandedInMatch;
 import carom.server.room.FleetDoor;
+import carom.server.room.RoomOffer;
 import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
 import carom.sim.Game;
@@ -310,12 +311,22 @@ final class ThinSessionTest {
   private static final class FullerElsewhere implements FleetDoor {
     @Override
     public Place find(String room, Link.Door door) {
-      return door == Link.Door.OWN ? new Place(2, room, "thinballs", 40, 64) : null;
+      return door == Link.Door.OWN
+          ? new Place(2, room, new RoomOffer("thinballs", 40, 64, null))
+          : null;
     }
 
     @Override
     public Place best(RoomSearch search, Link.Door door) {
       return find("9", door);
+    }
+
+    @Override
+    public void look(List<Looker> lookers) {}
+
+    @Override
+    public List<Looker> lookersElsewhere() {
+      return List.of();
     }
 
     @Override

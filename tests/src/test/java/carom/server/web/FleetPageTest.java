@@ -189,12 +189,12 @@ final class FleetPageTest {
       browser.type(TOKEN);
       browser.press("Enter", ENTER);
       browser.await("document.querySelectorAll('#fleet .danger').length === 9");
-      browser.await(rooms + ".every(r => !r.cells[5].textContent.includes('none'))");
-      browser.await(rooms + ".slice(0, 2).every(r => parseInt(r.cells[6].textContent) < 10)");
+      browser.await(rooms + ".every(r => !r.cells[6].textContent.includes('none'))");
+      browser.await(rooms + ".slice(0, 2).every(r => parseInt(r.cells[7].textContent) < 10)");
       shoot(browser, "fleet-page.png");
 
       // A room of another server, which this page's server tells to move it.
-      String owner = browser.evaluate(rooms + "[3].cells[3].textContent");
+      String owner = browser.evaluate(rooms + "[3].cells[4].textContent");
       assertEquals("b.example", owner);
       browser.click(rooms + "[3].querySelector('.danger')");
       browser.await("document.getElementById('sure').open");
@@ -204,13 +204,13 @@ final class FleetPageTest {
       browser.evaluate(
           "$('sure-to').querySelector('select').value = 'c.example'".replace("$", DOM));
       browser.click("document.getElementById('sure-ok')");
-      browser.await(rooms + "[3].cells[3].textContent === 'c.example'");
+      browser.await(rooms + "[3].cells[4].textContent === 'c.example'");
 
       browser.click(servers + "[2].querySelector('.danger')");
       browser.await("document.getElementById('sure').open");
       browser.click("document.getElementById('sure-ok')");
       browser.await(servers + "[2].cells[1].textContent === 'draining'");
-      browser.await(rooms + ".every(r => r.cells[3].textContent !== 'c.example')");
+      browser.await(rooms + ".every(r => r.cells[4].textContent !== 'c.example')");
       browser.await(servers + "[2].cells[3].textContent === '0'");
       browser.await(
           "/room [56] moved here/.test(document.getElementById('fleet-news').textContent)");

@@ -9,6 +9,7 @@ import carom.server.access.Logins;
 import carom.server.access.Secret;
 import carom.server.command.CommandRegistry;
 import carom.server.command.RoomCommands;
+import carom.server.command.SaveSource;
 import carom.server.config.DataFolder;
 import carom.testkit.Stepper;
 import ch.qos.logback.classic.LoggerContext;
@@ -66,7 +67,7 @@ final class PageRig implements AutoCloseable {
     stepper.join("Ann", Impairment.NONE, new Bot(Stepper.SEED));
     stepper.join(HOSTILE, Impairment.NONE, new Bot(Stepper.SEED + 1));
     CommandRegistry commands = new CommandRegistry();
-    RoomCommands.add(commands, stepper.server().rooms(), data, null);
+    RoomCommands.add(commands, stepper.server().rooms(), data, null, SaveSource.NONE);
     AccessLists lists = new AccessLists(data, false, InstantSource.system());
     watch = AccessCommands.add(commands, lists, stepper.server().rooms());
     Logins logins = Logins.begin(System::nanoTime);

@@ -37,6 +37,7 @@ final class JoinPage implements Page {
   private List<RoomEntry> rooms = List.of();
   private RoomBrowser browser;
   private TextField name;
+  private TextField party;
   private TextField address;
   private String entered;
   private TextField password; // null until a server has asked for one
@@ -97,7 +98,17 @@ final class JoinPage implements Page {
     you.add(name).height(Widgets.HEIGHT).growX();
     you.add(ColourChooser.of(widgets, host, rebuild)).padLeft(8);
     into.add(you).growX().row();
+    party =
+        widgets.field(
+            party == null ? host.party() : party.getText(), ProtocolLimits.MAX_PARTY_NAME_BYTES);
+    party.setName("party");
+    into.add(widgets.label("Party"));
+    Table friends = new Table();
+    friends.add(party).height(Widgets.HEIGHT).growX();
+    friends.add(widgets.small("friends who type the same meet")).padLeft(8);
+    into.add(friends).growX().row();
     address = widgets.field(address == null ? entered : address.getText(), MAX_ADDRESS_LENGTH);
+    address.setName("address");
     into.add(widgets.label("Server")).padRight(14);
     into.add(address).height(Widgets.HEIGHT).growX().row();
     into.add();
@@ -259,10 +270,11 @@ final class JoinPage implements Page {
     }
   }
 
-  /** Keeps the name, and returns the server, or null after saying what is wrong. */
+  /** Keeps name and party, and returns the server, or null after saying what is wrong. */
   private ServerAddress server() {
     try {
       host.playerName(name.getText().strip());
+      host.party(party.getText().strip());
       message = "";
       return ServerAddress.parse(address.getText());
     } catch (IllegalArgumentException e) {

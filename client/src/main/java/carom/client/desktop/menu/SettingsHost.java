@@ -22,6 +22,12 @@ public interface SettingsHost {
   /** Sets the name to play under, and keeps it among the settings if it is another one. */
   void playerName(String name);
 
+  /** Returns the player's party: that of the command line until the player types another. */
+  String party();
+
+  /** Sets the player's party, empty for none, and keeps it as {@link #playerName(String)} does. */
+  void party(String party);
+
   /** Returns what couldn't be read or kept, in words for the player; empty if nothing. */
   String problem();
 }

@@ -73,12 +73,12 @@ const link = new Thin({
       sounds.play(look, event, picture.camera.x, picture.camera.y);
     }, Math.min(500, waits));
   }),
-  chat: ({player, text, team}) => say(world.players.get(player), text, team),
+  chat: ({player, text, team}) => world.match ? say(world.players.get(player), text, team) : showState(text),
   emote: ({player, emote}) => picture.emote(player, EMOTES[emote] || emote, performance.now()),
   rooms: takeRooms,
   best: value => { best = value.lists; showBest(); },
   redirect: follow,
-  state: text => { $('state').textContent = text; $('state').hidden = !text; },
+  state: showState,
   end,
 });
 let ticket = linked('ticket'); // that lets the player in here, once
@@ -100,6 +100,12 @@ async function wear(game) {
     controls.use(newLook?.actions || []);
     $('keys').textContent = newLook?.actions.length ? `${controls.words()} · Enter: chat · Esc: menu. A gamepad and glass work too.` : usualKeys;
   }
+}
+
+/** Says how it stands with the link; empty when all is well. */
+function showState(text) {
+  $('state').textContent = text;
+  $('state').hidden = !text;
 }
 
 /** Goes to another server, with the seat: whose page takes it from the link, as no other page can read this one's. */
