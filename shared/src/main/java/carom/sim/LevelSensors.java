@@ -5,6 +5,7 @@ import carom.physics.QueryFilter;
 import carom.physics.QueryHit;
 import carom.physics.QueryVisitor;
 import carom.physics.World;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.sim.entity.HostEntity;
 import carom.sim.level.Archetypes;
@@ -46,7 +47,7 @@ final class LevelSensors {
    * @throws IllegalArgumentException if the level has no static sensor of that name
    */
   public boolean contain(HostEntity entity, String name) {
-    if (!names.contains(name)) {
+    if (!names.contains(Limits.notNull("sensor", name))) {
       throw new IllegalArgumentException(
           "sensor=\""
               + name

@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.HostPlayer;
 import carom.sim.entity.Player;
 import carom.sim.entity.PlayerTable;
@@ -135,7 +136,12 @@ public final class MatchClock {
   /** Returns a copy of matches that are followed by another than the next level of the room. */
   public MatchClock next(NextMatch followed) {
     return new MatchClock(
-        players, waitsForReady, countdownSeconds, playSeconds, overSeconds, followed);
+        players,
+        waitsForReady,
+        countdownSeconds,
+        playSeconds,
+        overSeconds,
+        Limits.notNull("followed", followed));
   }
 
   private static void require(String name, float value, float max) {
@@ -148,7 +154,7 @@ public final class MatchClock {
 
   /** Returns the phase. */
   public static MatchPhase phase(FieldReader<?, ?> match) {
-    if (!match.get(BEGUN)) {
+    if (!Limits.notNull("match", match).get(BEGUN)) {
       return MatchPhase.WARM_UP;
     }
     if (match.get(UNTIL_PLAYING) > 0) {
@@ -174,12 +180,12 @@ public final class MatchClock {
 
   /** Returns the id of the player who has won, or -1 for none. */
   public static int winner(FieldReader<?, ?> match) {
-    return match.get(WINNER);
+    return Limits.notNull("match", match).get(WINNER);
   }
 
   /** Returns the team that has won, or 0 for none. */
   public static int winningTeam(FieldReader<?, ?> match) {
-    return match.get(WINNING_TEAM);
+    return Limits.notNull("match", match).get(WINNING_TEAM);
   }
 
   /** Returns the number of players for which the warm-up waits; 0 = there is none. */
@@ -199,9 +205,12 @@ public final class MatchClock {
     finish(match, NOBODY, 0);
   }
 
-  /** Ends a match that is played, won by a player. Does nothing in another phase. */
+  /**
+   * Ends a match that is played, won by a player, or by nobody for null. Does nothing in another
+   * phase.
+   */
   public void finish(FieldHolder<?, ?> match, Player winner) {
-    finish(match, winner.id(), 0);
+    finish(match, winner == null ? NOBODY : winner.id(), 0);
   }
 
   /** Ends a match that is played, won by a team. Does nothing in another phase. */
@@ -210,6 +219,7 @@ public final class MatchClock {
   }
 
   private static void finish(FieldHolder<?, ?> match, int winner, int winningTeam) {
+    requireTeam(winningTeam);
     if (isPlaying(match)) {
       int over = match.get(UNTIL_NEXT) - match.get(UNTIL_OVER); // how long the result is shown
       match.set(UNTIL_OVER, 0);
@@ -229,8 +239,16 @@ public final class MatchClock {
     decide(match, winner == null ? NOBODY : winner.id(), winningTeam);
   }
 
+  private static void requireTeam(int team) {
+    if (team < 0 || team > WINNING_TEAM.max()) {
+      throw new IllegalArgumentException(
+          "winningTeam=" + team + " is outside 0.." + WINNING_TEAM.max() + "; 0 is for none");
+    }
+  }
+
   private static void decide(FieldHolder<?, ?> match, int winner, int winningTeam) {
-    match.set(WINNER, winner);
+    requireTeam(winningTeam);
+    Limits.notNull("match", match).set(WINNER, winner);
     match.set(WINNING_TEAM, winningTeam);
   }
 

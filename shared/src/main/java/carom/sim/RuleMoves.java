@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.HostEntity;
 import carom.sim.level.LevelTrigger;
 import java.util.List;
@@ -68,6 +69,9 @@ final class RuleMoves {
 
   /** Sends a body to a place, from the next tick on. */
   void start(int at, float x, float y, float seconds) {
+    Limits.position("x", x);
+    Limits.position("y", y);
+    Limits.range("seconds", seconds, 0, LevelTrigger.MAX_SECONDS);
     simulation.set(words.until, at, parts.tick + simulation.ticks(seconds));
     simulation.set(words.toX, at, x);
     simulation.set(words.toY, at, y);

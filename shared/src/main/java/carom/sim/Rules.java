@@ -56,11 +56,12 @@ public interface Rules extends Simulation, FieldHolder<Entity, Player> {
    * on. It replaces a move that goes on. Call it once, when something changes.
    *
    * @param body the name of one of {@code bodies} of the level, kinematic and without a motion
-   * @param x where its origin goes, m
-   * @param y where its origin goes, m
-   * @param seconds until it is there, a tick at least; above 500 m/s it takes longer
-   * @throws IllegalArgumentException if the level has no such body, or several of that name, or if
-   *     it is beyond the first {@value carom.sim.level.LevelTrigger#MAX_MOVED} such bodies
+   * @param x where its origin goes, m, -32768..32768
+   * @param y where its origin goes, m, -32768..32768
+   * @param seconds until it is there, 0..3600, a tick at least; above 500 m/s it takes longer
+   * @throws IllegalArgumentException if a number is outside its range, if the level has no such
+   *     body, or several of that name, or if it is beyond the first {@value
+   *     carom.sim.level.LevelTrigger#MAX_MOVED} such bodies
    */
   void move(String body, float x, float y, float seconds);
 }

@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.math.Limits;
 import carom.physics.mover.MoverDef;
 import carom.sim.entity.Assembly;
 import carom.sim.entity.AssemblyDef;
@@ -104,7 +105,7 @@ public final class SetUp {
 
   /** Returns a pool of the level by its name, or null. */
   public Pool pool(String name) {
-    return parts.pools.find(name);
+    return parts.pools.find(Limits.notNull("name", name));
   }
 
   /**
@@ -114,6 +115,7 @@ public final class SetUp {
    * @throws IllegalStateException if there is one already
    */
   public void showAtClients(Supplier<ParticleWorld> copy) {
+    Limits.notNull("copy", copy);
     if (parts.role == Role.PREDICTION) {
       parts.pools.follow(copy.get());
     }

@@ -10,6 +10,7 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.effects.Effect;
 import carom.physics.effects.Explosion;
 import carom.physics.effects.Hover;
+import carom.physics.math.Limits;
 import carom.physics.math.SimRandom;
 import carom.physics.math.Transform;
 import carom.sim.entity.AreaForces;
@@ -277,6 +278,7 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public HostEntity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    Limits.notNull("archetype", archetype);
     return spawner.spawn(archetype, x, y, angle, (HostPlayer) owner);
   }
 
@@ -300,6 +302,7 @@ public final class SimulationHost implements Match, Rules {
   public HostEntity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
     parts.phases.requireOutsideInput("spawn(assembly, ...)");
     parts.phases.requireAuthority("spawn");
+    Limits.notNull("assembly", assembly);
     int ownerId = owner == null ? HostEntity.NO_OWNER : owner.id();
     return parts.entities.spawn(assembly, x, y, angle, ownerId, parts.tick);
   }
@@ -461,7 +464,7 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public void role(Player participant, PlayerRole role) {
-    participants.role((HostPlayer) participant, role);
+    participants.role(host(participant), Limits.notNull("role", role));
   }
 
   /**
@@ -486,16 +489,17 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public void playNext(NextMatch next) {
-    outbox.playNext(next);
+    outbox.playNext(Limits.notNull("next", next));
   }
 
   @Override
   public void notice(String text) {
-    outbox.notice(text);
+    outbox.notice(Limits.notNull("text", text));
   }
 
   @Override
   public Event emit(EventKind kind) {
+    Limits.notNull("kind", kind);
     return outbox.event(kind, parts.phases.isInStep() ? parts.tick : parts.tick + 1);
   }
 
@@ -524,7 +528,8 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public Delivery send(Message message) {
-    parts.messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_SERVER);
+    MessageKind kind = Limits.notNull("message", message).kind();
+    parts.messageKinds.indexOf(kind, MessageKind.Direction.FROM_SERVER);
     return outbox.send(message);
   }
 
@@ -635,7 +640,7 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public EntityQueries asSeenBy(Player p) {
-    pastQueries((HostPlayer) p);
+    pastQueries(host(p));
     return seen;
   }
 
@@ -651,7 +656,7 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public void forEachInside(String sensor, Consumer<Entity> visitor) {
-    parts.inside.forEach(sensor, visitor);
+    parts.inside.forEach(sensor, Limits.notNull("visitor", visitor));
   }
 
   @Override
@@ -684,35 +689,38 @@ public final class SimulationHost implements Match, Rules {
   @Override
   public void act(Effect effect, Entity entity) {
     parts.phases.requireOutsideRules("act");
-    effect.act(parts.world, ((HostEntity) entity).body(), HERE, 1, tickSeconds());
+    Limits.notNull("effect", effect)
+        .act(parts.world, bodyOf("entity", entity), HERE, 1, tickSeconds());
   }
 
   @Override
   @SuppressWarnings("unchecked") // it sees bodies alone, and nothing of their users
   public boolean hover(Hover<?> how, Entity entity) {
     parts.phases.requireOutsideRules("hover");
-    return ((Hover<HostEntity>) how)
-        .apply(parts.world, ((HostEntity) entity).body(), tickSeconds());
+    return ((Hover<HostEntity>) Limits.notNull("how", how))
+        .apply(parts.world, bodyOf("entity", entity), tickSeconds());
   }
 
   @Override
   public void forEachInBox(
       float minX, float minY, float maxX, float maxY, Predicate<Entity> visitor) {
+    Limits.notNull("visitor", visitor);
     parts.world.queryAabb(minX, minY, maxX, maxY, body -> visitor.test(body.user()));
   }
 
   @Override
   public void explode(Explosion explosion) {
-    explosion.explode(parts.world);
+    Limits.notNull("explosion", explosion).explode(parts.world);
   }
 
   @Override
   public EntityJoint connect(
       Entity a, Entity b, BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
     parts.phases.requireAuthority("connect");
-    JointDef<Object> def = how.apply(JointEnds.FIRST, JointEnds.SECOND);
+    Body<HostEntity> second = bodyOf("b", b);
+    JointDef<Object> def = Limits.notNull("how", how).apply(JointEnds.FIRST, JointEnds.SECOND);
     Body<HostEntity> first = a == null ? null : ((HostEntity) a).body();
-    return parts.entities.face(parts.world.createJoint(first, ((HostEntity) b).body(), def));
+    return parts.entities.face(parts.world.createJoint(first, second, def));
   }
 
   @Override
@@ -727,52 +735,60 @@ public final class SimulationHost implements Match, Rules {
 
   @Override
   public String name(Player p) {
-    return ((HostPlayer) p).name();
+    return host(p).name();
   }
 
   @Override
   public int score(Player p) {
-    return ((HostPlayer) p).score();
+    return host(p).score();
   }
 
   @Override
   public void score(Player p, int points) {
-    ((HostPlayer) p).score(points);
+    host(p).score(points);
   }
 
   @Override
   public int team(Player p) {
-    return ((HostPlayer) p).team();
+    return host(p).team();
   }
 
   @Override
   public void team(Player p, int team) {
-    ((HostPlayer) p).team(team);
+    host(p).team(team);
   }
 
   @Override
   public PlayerColour colour(Player p) {
-    return ((HostPlayer) p).colour();
+    return host(p).colour();
   }
 
   @Override
   public boolean isReady(Player p) {
-    return ((HostPlayer) p).isReady();
+    return host(p).isReady();
   }
 
   @Override
   public void ready(Player p, boolean value) {
-    ((HostPlayer) p).ready(value);
+    host(p).ready(value);
   }
 
   @Override
   public boolean isSpectator(Player p) {
-    return ((HostPlayer) p).isSpectator();
+    return host(p).isSpectator();
   }
 
   @Override
   public Input input(Player p) {
-    return ((HostPlayer) p).input();
+    return host(p).input();
+  }
+
+  private static HostPlayer host(Player player) {
+    return (HostPlayer) Limits.notNull("player", player);
+  }
+
+  private static Body<HostEntity> bodyOf(String name, Entity entity) {
+    return ((HostEntity) Limits.notNull(name, entity)).body();
   }
 
   /** Answers what entities ask of the simulation. */

@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.EntityTable;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
@@ -66,6 +67,7 @@ final class Spawner implements Phases.Listener {
 
   /** Creates what a player fires in its input, as {@link Player#spawn} says. */
   HostEntity fire(Archetype archetype, float x, float y, float angle, HostPlayer owner) {
+    Limits.notNull("archetype", archetype);
     HostPlayer inputOf = parts.phases.player();
     if (inputOf == null) {
       throw new IllegalStateException(

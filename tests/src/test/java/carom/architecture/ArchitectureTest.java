@@ -151,9 +151,9 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.mover", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
-    allow("carom.sim.event");
+    allow("carom.sim.event", "carom.physics.math");
     allow("carom.sim.pool", "carom.physics..");
-    allow("carom.sim.message", "carom.text");
+    allow("carom.sim.message", "carom.physics.math", "carom.text");
     allow(
         "carom.sim.level",
         "carom.physics..",
@@ -182,6 +182,7 @@ final class ArchitectureTest {
     allow(
         "carom.sim.outbox",
         "carom.physics",
+        "carom.physics.math",
         "carom.sim.entity",
         "carom.sim.event",
         "carom.sim.level",

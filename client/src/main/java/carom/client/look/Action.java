@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.Input;
 import carom.text.Suggestion;
 import java.util.ArrayList;
@@ -92,7 +93,9 @@ public final class Action {
   }
 
   private static String checked(String name) {
-    if (name.isBlank() || name.length() > MAX_NAME || !name.matches("[\\p{L}\\p{N}' -]+")) {
+    if (Limits.notNull("action", name).isBlank()
+        || name.length() > MAX_NAME
+        || !name.matches("[\\p{L}\\p{N}' -]+")) {
       throw new IllegalArgumentException(
           "action=\"" + name + "\" is no name: 1 to " + MAX_NAME + " letters, digits and spaces");
     }
@@ -132,15 +135,18 @@ public final class Action {
   /** Adds keys to a button, by their names in the player's settings. */
   public Action key(String... names) {
     require(kind == Kind.BUTTON, "key() is for buttons; a movement has keys(less, more)");
-    for (String name : names) {
+    List<String> all = Range.all("key", names);
+    for (String name : all) {
       require(!RESERVED.contains(name), "key \"" + name + "\" is the window's in every game");
     }
-    return with(List.of(bindings.get(0).with(List.of(names))));
+    return with(List.of(bindings.get(0).with(all)));
   }
 
   /** Adds a pair of keys to a movement: to the left or down, and to the right or up. */
   public Action keys(String less, String more) {
     require(kind == Kind.MOVE_X || kind == Kind.MOVE_Y, "keys() is for movements");
+    Limits.notNull("less", less);
+    Limits.notNull("more", more);
     require(!RESERVED.contains(less) && !RESERVED.contains(more), "a key is the window's");
     return with(List.of(bindings.get(0).with(List.of(less)), bindings.get(1).with(List.of(more))));
   }
@@ -183,7 +189,7 @@ public final class Action {
 
   private void known(String name, List<String> names) {
     require(
-        names.contains(name),
+        names.contains(Limits.notNull("name", name)),
         "\"" + name + "\" is unknown, known are " + names + Suggestion.didYouMean(name, names));
   }
 

@@ -1,5 +1,7 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
+
 /**
  * A picture behind the level, repeated without end, that moves less than the level does. The first
  * one declared is the furthest. Each method changes it and returns it, and throws {@link
@@ -15,7 +17,7 @@ public final class Background {
   private float alpha = 1;
 
   Background(String file) {
-    this.file = file;
+    this.file = Limits.notNull("file", file);
   }
 
   /** Sets the height of one picture, 0.1..10,000 metres; 10 without it. */
@@ -41,8 +43,9 @@ public final class Background {
 
   /** Lets it drift by itself to the right and upwards, -100..100 m/s. */
   public Background drifts(float x, float y) {
-    driftX = Range.check("a background's drift", x, -100, 100);
+    Range.check("a background's drift", x, -100, 100);
     driftY = Range.check("a background's drift", y, -100, 100);
+    driftX = x;
     return this;
   }
 

@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import carom.sim.field.Field;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -50,7 +51,7 @@ public final class CameraSetup {
    */
   public CameraSetup zone(String name) {
     Range.check("a camera's zones", zones.size() + 1, 1, ViewSetup.MAX);
-    zones.add(name);
+    zones.add(Limits.notNull("name", name));
     return this;
   }
 
@@ -59,8 +60,9 @@ public final class CameraSetup {
    * fast ride. A later call takes the place of an earlier one.
    */
   public CameraSetup whileSet(Field<?> field, float metres) {
-    otherHeight = Range.check("a camera's height", metres, 4, 200);
+    Range.check("a camera's height", metres, 4, 200);
     condition = ShownValue.of(field);
+    otherHeight = metres;
     return this;
   }
 

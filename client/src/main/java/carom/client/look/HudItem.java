@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import carom.sim.field.Countdown;
 import carom.sim.field.Field;
 
@@ -54,7 +55,7 @@ public final class HudItem {
 
   private HudItem(Kind kind, String label, Field<?> field) {
     this.kind = kind;
-    this.label = label;
+    this.label = Limits.notNull("label", label);
     value = ShownValue.of(field);
   }
 
@@ -90,7 +91,7 @@ public final class HudItem {
 
   /** Sets where it stands; at the lower edge without it. */
   public HudItem at(Place where) {
-    place = where;
+    place = Limits.notNull("place", where);
     return this;
   }
 

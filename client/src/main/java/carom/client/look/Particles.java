@@ -1,5 +1,7 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
+
 /**
  * Small things that fly for a moment and fade: sparks, smoke, splinters, confetti. They are part of
  * the picture only, hit nothing, and cost no traffic. Each method changes it and returns it, and
@@ -65,8 +67,9 @@ public final class Particles implements Effect {
 
   /** Sets their half size at first and at last, 0..100 metres. */
   public Particles size(float atFirst, float atLast) {
-    sizeAtFirst = Range.check("size at first", atFirst, 0, 100);
+    Range.check("size at first", atFirst, 0, 100);
     sizeAtLast = Range.check("size at last", atLast, 0, 100);
+    sizeAtFirst = atFirst;
     return this;
   }
 
@@ -113,7 +116,7 @@ public final class Particles implements Effect {
 
   /** Sets a picture to draw instead of a soft dot. */
   public Particles picture(String file) {
-    picture = file;
+    picture = Limits.notNull("picture", file);
     return this;
   }
 

@@ -1,5 +1,8 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
+import java.util.List;
+
 /** Refuses numbers that can't be meant. */
 final class Range {
   private Range() {}
@@ -23,6 +26,19 @@ final class Range {
       throw new IllegalArgumentException(what + "=" + value + " is outside " + least + ".." + most);
     }
     return value;
+  }
+
+  /**
+   * Returns the elements of an array as a list that nobody changes.
+   *
+   * @param what names one of them, for the message
+   * @throws NullPointerException if the array or one of them is null
+   */
+  static <T> List<T> all(String what, T[] elements) {
+    for (T element : Limits.notNull(what, elements)) {
+      Limits.notNull(what, element);
+    }
+    return List.of(elements);
   }
 
   /** Throws unless two values are within a range, and the first isn't greater. */

@@ -2,9 +2,9 @@ package carom.client.look;
 
 /**
  * A reaction of a body's picture to a blow: it is squeezed along the blow and springs back, lights
- * up, or sticks for a moment before it catches up. It is part of the picture only, and needs a
- * sprite. With {@link ViewSetup#event} it happens to the event's first entity. Each method changes
- * it and returns it, and throws {@link IllegalArgumentException} for a value outside its range.
+ * up, or sticks for a moment before it catches up. It is part of the picture only. With {@link
+ * ViewSetup#event} it happens to the event's first entity. Each method changes it and returns it,
+ * and throws {@link IllegalArgumentException} for a value outside its range.
  *
  * <pre>{@code
  * v.blow("player", new Reaction().squash(0.35f).flash(0xffffff));

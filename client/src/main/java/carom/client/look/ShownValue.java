@@ -3,6 +3,7 @@ package carom.client.look;
 import carom.client.field.FieldView;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.physics.math.Limits;
 import carom.sim.event.Audience;
 import carom.sim.field.Choice;
 import carom.sim.field.Count;
@@ -29,7 +30,7 @@ public final class ShownValue {
    */
   public static ShownValue of(Field<?> field) {
     boolean isNumber =
-        field instanceof IntField<?>
+        Limits.notNull("field", field) instanceof IntField<?>
             || field instanceof FloatField<?>
             || field instanceof Flag
             || field instanceof Choice<?>;

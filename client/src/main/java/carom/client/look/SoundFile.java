@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -26,7 +27,7 @@ public final class SoundFile implements Effect {
    * sprites' files are.
    */
   public static SoundFile of(String first, String... more) {
-    List<String> all = new ArrayList<>(List.of(more));
+    List<String> all = new ArrayList<>(Range.all("sound", more));
     all.add(0, first);
     for (String file : all) {
       requireSound(file);
@@ -36,7 +37,7 @@ public final class SoundFile implements Effect {
 
   /** Throws for a file that is no sound by its name. */
   static void requireSound(String file) {
-    if (!file.endsWith(".wav") && !file.endsWith(".ogg")) {
+    if (!Limits.notNull("sound", file).endsWith(".wav") && !file.endsWith(".ogg")) {
       throw new IllegalArgumentException(
           "sound=\"" + file + "\" is neither .wav nor .ogg; convert it to one of them");
     }

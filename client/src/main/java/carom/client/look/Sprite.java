@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import carom.sim.field.Count;
 import carom.sim.field.Field;
 import carom.sim.field.Ratio;
@@ -47,8 +48,8 @@ public final class Sprite {
   private int rgb = 0xffffff;
 
   Sprite(String archetype, String file) {
-    this.archetype = archetype;
-    this.file = file;
+    this.archetype = Limits.notNull("archetype", archetype);
+    this.file = Limits.notNull("file", file);
   }
 
   /**
@@ -56,15 +57,17 @@ public final class Sprite {
    * shapes.
    */
   public Sprite size(float newWidth, float newHeight) {
-    width = Range.check("a sprite's width", newWidth, 0.01f, 2_000);
+    Range.check("a sprite's width", newWidth, 0.01f, 2_000);
     height = Range.check("a sprite's height", newHeight, 0.01f, 2_000);
+    width = newWidth;
     return this;
   }
 
   /** Moves it, ±2,000 metres in its own frame: x is where it points. */
   public Sprite at(float x, float y) {
-    offsetX = Range.check("a sprite's place", x, -2_000, 2_000);
+    Range.check("a sprite's place", x, -2_000, 2_000);
     offsetY = Range.check("a sprite's place", y, -2_000, 2_000);
+    offsetX = x;
     return this;
   }
 
@@ -98,7 +101,7 @@ public final class Sprite {
 
   /** Sets the direction in which it points; without it, that of the body. */
   public Sprite turn(Turn direction) {
-    turn = direction;
+    turn = Limits.notNull("direction", direction);
     return this;
   }
 

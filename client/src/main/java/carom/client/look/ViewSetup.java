@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -37,9 +38,10 @@ public final class ViewSetup {
    * the first minute.
    */
   public void actions(Action... added) {
-    actions.addAll(List.of(added));
+    List<Action> all = new ArrayList<>(actions);
+    all.addAll(Range.all("action", added));
     Set<String> names = new HashSet<>();
-    for (Action action : actions) {
+    for (Action action : all) {
       for (Action.Binding binding : action.bindings()) {
         if (!names.add(binding.name())) {
           throw new IllegalArgumentException(
@@ -47,6 +49,8 @@ public final class ViewSetup {
         }
       }
     }
+    actions.clear();
+    actions.addAll(all);
   }
 
   /** Returns the actions in the order in which they were declared. Do not change the list. */
@@ -88,8 +92,11 @@ public final class ViewSetup {
    * @param name of the kind of event
    */
   public void event(String name, Effect... effects) {
-    events.computeIfAbsent(name, n -> limited(events.size(), new ArrayList<>()));
-    events.get(name).addAll(List.of(effects));
+    List<Effect> all = Range.all("effect", effects);
+    events
+        .computeIfAbsent(
+            Limits.notNull("name", name), n -> limited(events.size(), new ArrayList<>()))
+        .addAll(all);
   }
 
   /**
@@ -99,12 +106,15 @@ public final class ViewSetup {
    * @throws IllegalArgumentException for a {@link SlowMotion}, which only an event has
    */
   public void blow(String archetype, Effect... effects) {
-    if (hasSlowMotion(List.of(effects))) {
+    List<Effect> all = Range.all("effect", effects);
+    if (hasSlowMotion(all)) {
       throw new IllegalArgumentException(
           "blow=\"" + archetype + "\" can't have a slow motion; declare it for an event");
     }
-    blows.computeIfAbsent(archetype, n -> limited(blows.size(), new ArrayList<>()));
-    blows.get(archetype).addAll(List.of(effects));
+    blows
+        .computeIfAbsent(
+            Limits.notNull("archetype", archetype), n -> limited(blows.size(), new ArrayList<>()))
+        .addAll(all);
   }
 
   /** Returns whether any event is shown again in slow motion. */
@@ -118,7 +128,8 @@ public final class ViewSetup {
 
   /** Sets what bodies of an archetype leave behind them, in place of the usual streak. */
   public void trail(String archetype, Particles particles) {
-    trails.put(archetype, limited(trails.size(), particles));
+    Limits.notNull("archetype", archetype);
+    trails.put(archetype, limited(trails.size(), Limits.notNull("particles", particles)));
   }
 
   /** Returns what the window shows of the level, to be changed. */
@@ -128,19 +139,19 @@ public final class ViewSetup {
 
   /** Adds lines about the own player, in place of the game's own bars and numbers. */
   public void hud(HudItem... lines) {
-    for (HudItem line : lines) {
-      hud.add(limited(hud.size(), line));
-    }
+    List<HudItem> all = Range.all("line", lines);
+    limited(hud.size() + all.size() - 1, this);
+    hud.addAll(all);
   }
 
   /** Shows the whole level with its players, small, at a place, unless the picture shows it all. */
   public void minimap(HudItem.Place place) {
-    minimap = place;
+    minimap = Limits.notNull("place", place);
   }
 
   /** Sets what draws over each picture of the window. Browsers don't have it. */
   public void paint(HudPainter over) {
-    painter = over;
+    painter = Limits.notNull("painter", over);
   }
 
   /** Returns what draws over each picture; null for nothing. */

@@ -1,5 +1,6 @@
 package carom.server.match;
 
+import carom.game.GameFault;
 import carom.replay.RecordingHeader;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
@@ -108,7 +109,7 @@ public final class MatchLoader {
     } catch (IllegalArgumentException e) {
       throw new Unplayable(e.getMessage(), e);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
-      throw new Unplayable("the set-up failed: " + e, e);
+      throw new Unplayable("the set-up failed: " + GameFault.describe(e), e);
     }
   }
 

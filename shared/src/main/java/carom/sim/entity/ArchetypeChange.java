@@ -2,10 +2,10 @@ package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
+import carom.physics.math.Limits;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
 import carom.sim.phase.Phases;
-import java.util.Objects;
 
 /** Lets entities become other archetypes, see {@link HostEntity#become}. One simulation's. */
 final class ArchetypeChange {
@@ -27,7 +27,7 @@ final class ArchetypeChange {
 
   /** Makes an entity one of another archetype. */
   void change(HostEntity entity, Archetype other) {
-    Objects.requireNonNull(other, "archetype");
+    Limits.notNull("archetype", other);
     phases.requireOutsidePhysics("become");
     check(entity, other);
     if (other == entity.archetype()) {

@@ -6,6 +6,7 @@ import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
+import carom.physics.math.Limits;
 import carom.physics.rows.JointDefRow;
 import carom.sim.level.Archetype;
 import carom.sim.level.Archetypes;
@@ -28,7 +29,7 @@ public final class Assembly {
   private final int[] definitions;
 
   Assembly(AssemblyDef def, Archetypes registered) {
-    if (def.parts.isEmpty()) {
+    if (Limits.notNull("def", def).parts.isEmpty()) {
       throw def.wrong("it has no body; add one");
     }
     name = def.name;

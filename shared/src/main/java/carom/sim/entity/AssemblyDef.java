@@ -2,6 +2,7 @@ package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.JointDef;
+import carom.physics.math.Limits;
 import carom.sim.level.ArchetypeDef;
 import java.util.ArrayList;
 import java.util.List;
@@ -39,7 +40,7 @@ public final class AssemblyDef {
 
   /** Creates an assembly without bodies. The name is for people and for error messages. */
   public AssemblyDef(String name) {
-    this.name = name;
+    this.name = Limits.notNull("name", name);
   }
 
   /**
@@ -60,7 +61,8 @@ public final class AssemblyDef {
    * float)}.
    */
   public AssemblyDef body(String bodyName, ArchetypeDef archetype, float x, float y, float angle) {
-    if (place(bodyName) >= 0) {
+    Limits.notNull("archetype", archetype);
+    if (place(Limits.notNull("bodyName", bodyName)) >= 0) {
       throw wrong("body=" + bodyName + " is there already; give each body a name of its own");
     }
     if (parts.size() == MAX_BODIES) {
@@ -86,6 +88,8 @@ public final class AssemblyDef {
       String a,
       String b,
       BiFunction<Body<Object>, Body<Object>, JointDef<Object>> how) {
+    Limits.notNull("how", how);
+    Limits.notNull("jointName", jointName);
     for (PartJoint part : joints) {
       if (part.name.equals(jointName)) {
         throw wrong("joint=" + jointName + " is there already; give each joint a name of its own");

@@ -2,6 +2,7 @@ package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.World;
+import carom.physics.math.Limits;
 import carom.physics.mover.Mover;
 import carom.physics.mover.MoverDef;
 
@@ -33,7 +34,7 @@ public final class EntityMover {
    * @return whether it stands on ground there
    */
   public boolean stand(Entity entity) {
-    own = ((HostEntity) entity).body();
+    own = ((HostEntity) Limits.notNull("entity", entity)).body();
     mover.setPosition(own.x(), own.y());
     return mover.findGround();
   }
@@ -45,6 +46,9 @@ public final class EntityMover {
    * @param wantedY m/s
    */
   public void walk(float wantedX, float wantedY) {
+    if (own == null) {
+      throw new IllegalStateException("walk needs a body=null; call stand before");
+    }
     mover.move(wantedX, wantedY, seconds);
     own.setVelocity((mover.x() - own.x()) / seconds, (mover.y() - own.y()) / seconds);
   }

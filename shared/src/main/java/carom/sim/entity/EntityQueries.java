@@ -6,6 +6,7 @@ import carom.physics.QueryFilter;
 import carom.physics.QueryHit;
 import carom.physics.QueryVisitor;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -41,7 +42,7 @@ public final class EntityQueries {
    */
   public boolean rayClosest(
       float x, float y, float wayX, float wayY, EntityFilter sees, EntityHit out) {
-    return queries.rayClosest(x, y, wayX, wayY, by(sees), out.hit);
+    return queries.rayClosest(x, y, wayX, wayY, by(sees), Limits.notNull("out", out).hit);
   }
 
   /** Returns whether a ray hits anything, which is cheaper than {@link #rayClosest}. */
@@ -78,7 +79,7 @@ public final class EntityQueries {
       EntityFilter sees,
       EntityHit out) {
     pose.set(x, y, angle);
-    return queries.shapeClosest(shape, pose, wayX, wayY, by(sees), out.hit);
+    return queries.shapeClosest(shape, pose, wayX, wayY, by(sees), Limits.notNull("out", out).hit);
   }
 
   /** Visits what overlaps or touches a shape at a place, in the order of the world. */
@@ -106,7 +107,7 @@ public final class EntityQueries {
    * @return whether there is one
    */
   public boolean nearest(float x, float y, float radius, EntityFilter sees, EntityHit out) {
-    return queries.nearest(x, y, radius, by(sees), out.hit);
+    return queries.nearest(x, y, radius, by(sees), Limits.notNull("out", out).hit);
   }
 
   private QueryFilter<HostEntity> by(EntityFilter sees) {
@@ -115,7 +116,7 @@ public final class EntityQueries {
   }
 
   private QueryVisitor<HostEntity> to(EntityVisitor to) {
-    visitor = to;
+    visitor = Limits.notNull("to", to);
     return visited;
   }
 

@@ -6,6 +6,7 @@ import carom.physics.BodyDef;
 import carom.physics.BodyVisitor;
 import carom.physics.Joint;
 import carom.physics.World;
+import carom.physics.math.Limits;
 import carom.physics.math.SimRandom;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
@@ -428,13 +429,16 @@ public final class EntityTable
     pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
     HostEntity[] members = new HostEntity[assembly.bodyCount()];
     for (int i = 0; i < members.length; i++) {
-      float dx = assembly.x(i);
-      float dy = assembly.y(i);
+      Limits.position("x", xOf(assembly, i, pose));
+      Limits.position("y", yOf(assembly, i, pose));
+      Limits.range("angle", angle + assembly.angle(i), -1e5f, 1e5f);
+    }
+    for (int i = 0; i < members.length; i++) {
       members[i] =
           spawn(
               assembly.archetypes().get(i),
-              x + pose.cos * dx - pose.sin * dy,
-              y + pose.sin * dx + pose.cos * dy,
+              xOf(assembly, i, pose),
+              yOf(assembly, i, pose),
               angle + assembly.angle(i),
               ownerId,
               tick);
@@ -449,6 +453,14 @@ public final class EntityTable
     return members[0];
   }
 
+  private static float xOf(Assembly assembly, int part, Transform pose) {
+    return pose.x + pose.cos * assembly.x(part) - pose.sin * assembly.y(part);
+  }
+
+  private static float yOf(Assembly assembly, int part, Transform pose) {
+    return pose.y + pose.sin * assembly.x(part) + pose.cos * assembly.y(part);
+  }
+
   /** Moves an assembly rigidly to where its root shall be. */
   void moveAssembly(HostEntity root, float x, float y, float angle) {
     Transform before = new Transform();
@@ -457,12 +469,22 @@ public final class EntityTable
     Transform after = new Transform();
     after.set(x, y, Trig.cos(angle), Trig.sin(angle));
     for (int i = 0; i < capacity; i++) {
-      if (entities[i] != null && entities[i] != root && entities[i].rootId() == root.id()) {
+      if (isPartOf(root, entities[i])) {
+        entities[i].requireRoom(before, after);
+      }
+    }
+    wakeAround(root);
+    for (int i = 0; i < capacity; i++) {
+      if (isPartOf(root, entities[i])) {
         entities[i].teleportWith(before, after);
       }
     }
     body.setPose(x, y, angle);
     joints.assemblyMoved(root.id(), before, after);
+  }
+
+  private static boolean isPartOf(HostEntity root, HostEntity entity) {
+    return entity != null && entity != root && entity.rootId() == root.id();
   }
 
   /** Makes an entity a member of the assembly whose root has an id. */

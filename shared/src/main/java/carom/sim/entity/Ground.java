@@ -2,6 +2,7 @@ package carom.sim.entity;
 
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
+import carom.physics.math.Limits;
 import carom.sim.field.Countdown;
 
 /**
@@ -56,6 +57,7 @@ public final class Ground {
    * @param ticks how long ago, 1 or more
    */
   public boolean isThereWithin(Player player, Countdown since, int ticks) {
+    Limits.notNull("player", player);
     if (isThere()) {
       player.set(since, ticks);
     }

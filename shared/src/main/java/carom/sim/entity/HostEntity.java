@@ -3,6 +3,7 @@ package carom.sim.entity;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldValues;
@@ -172,11 +173,14 @@ public final class HostEntity implements Entity {
               + " can't be teleported: clients know static geometry by the level alone; move an"
               + " entity of a static archetype");
     }
+    Limits.position("x", x);
+    Limits.position("y", y);
+    Limits.range("angle", angle, -1e5f, 1e5f);
     table.changing(this);
-    table.wakeAround(this);
     if (isRoot()) {
       table.moveAssembly(this, x, y, angle);
     } else {
+      table.wakeAround(this);
       body.setPose(x, y, angle);
     }
     table.wakeAround(this);
@@ -186,16 +190,32 @@ public final class HostEntity implements Entity {
 
   /** Moves the body with another one, as if both were one rigid body, and counts as a teleport. */
   void teleportWith(Transform before, Transform after) {
-    float dx = body.x() - before.x;
-    float dy = body.y() - before.y;
     float c = after.cos * before.cos + after.sin * before.sin;
     float s = after.sin * before.cos - after.cos * before.sin;
     body.setPose(
-        after.x + c * dx - s * dy,
-        after.y + s * dx + c * dy,
+        xWith(before, after),
+        yWith(before, after),
         c * body.cos() - s * body.sin(),
         s * body.cos() + c * body.sin());
     teleports++;
+  }
+
+  /** Checks that {@link #teleportWith} may take the body there. */
+  void requireRoom(Transform before, Transform after) {
+    Limits.position("x", xWith(before, after));
+    Limits.position("y", yWith(before, after));
+  }
+
+  private float xWith(Transform before, Transform after) {
+    float c = after.cos * before.cos + after.sin * before.sin;
+    float s = after.sin * before.cos - after.cos * before.sin;
+    return after.x + c * (body.x() - before.x) - s * (body.y() - before.y);
+  }
+
+  private float yWith(Transform before, Transform after) {
+    float c = after.cos * before.cos + after.sin * before.sin;
+    float s = after.sin * before.cos - after.cos * before.sin;
+    return after.y + s * (body.x() - before.x) + c * (body.y() - before.y);
   }
 
   /**
@@ -384,7 +404,7 @@ public final class HostEntity implements Entity {
 
   @Override
   public boolean isOfSameOwner(Entity other) {
-    return ownerId != NO_OWNER && ownerId == ((HostEntity) other).ownerId;
+    return ownerId != NO_OWNER && ownerId == ((HostEntity) Limits.notNull("other", other)).ownerId;
   }
 
   @Override
@@ -399,6 +419,7 @@ public final class HostEntity implements Entity {
 
   @Override
   public void forEachJoint(Consumer<EntityJoint> visitor) {
+    Limits.notNull("visitor", visitor);
     List<Joint<HostEntity>> joints = new ArrayList<>();
     body.forEachJoint(joints::add);
     joints.forEach(joint -> visitor.accept(table.face(joint)));
@@ -427,12 +448,12 @@ public final class HostEntity implements Entity {
 
   @Override
   public void forEachContact(EntityContactVisitor visitor) {
-    table.forEachContact(body, visitor);
+    table.forEachContact(body, Limits.notNull("visitor", visitor));
   }
 
   @Override
   public void forEachOverlap(Predicate<Entity> visitor) {
-    table.forEachOverlap(this, visitor);
+    table.forEachOverlap(this, Limits.notNull("visitor", visitor));
   }
 
   @Override

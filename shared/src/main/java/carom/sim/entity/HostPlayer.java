@@ -1,5 +1,6 @@
 package carom.sim.entity;
 
+import carom.physics.math.Limits;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
@@ -140,7 +141,7 @@ public final class HostPlayer implements Player, FieldStore.Owner {
 
   @Override
   public HostEntity spawned(int index) {
-    return spawned.get(index);
+    return spawned.get(Limits.index("index", index, spawned.size()));
   }
 
   /**

@@ -1,5 +1,7 @@
 package carom.sim.entity;
 
+import carom.physics.math.Limits;
+
 /**
  * The commands of one player for one tick: an input frame.
  *
@@ -136,7 +138,7 @@ public final class Input {
 
   /** Copies all values of another input. */
   public void set(Input other) {
-    unpack(other.pack());
+    unpack(Limits.notNull("other", other).pack());
   }
 
   /**

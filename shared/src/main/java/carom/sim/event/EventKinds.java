@@ -1,5 +1,6 @@
 package carom.sim.event;
 
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -37,6 +38,9 @@ public final class EventKinds {
    */
   public EventKind add(
       String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
+    Limits.notNull("name", name);
+    Limits.notNull("label", label);
+    Limits.notNull("sound", sound);
     if (closed) {
       throw new IllegalStateException(
           "event kind=" + name + " is registered after set-up; register it in Game.setUp");

@@ -1,5 +1,7 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
+
 /**
  * A field for one of an enum's constants, see {@link Field#choice}.
  *
@@ -14,7 +16,7 @@ public final class Choice<E extends Enum<E>> extends Field<Choice<E>> {
   }
 
   static <E extends Enum<E>> Choice<E> create(String name, Class<E> type) {
-    E[] constants = type.getEnumConstants();
+    E[] constants = Limits.notNull("type", type).getEnumConstants();
     if (constants.length == 0) {
       throw new IllegalArgumentException(
           "field " + name + " has no choice: " + type.getSimpleName() + " has no constants");
@@ -33,7 +35,7 @@ public final class Choice<E extends Enum<E>> extends Field<Choice<E>> {
 
   /** Returns the same field with another constant to start with. */
   public Choice<E> startsAt(E constant) {
-    return startingWith(constant.ordinal());
+    return startingWith(Limits.notNull("constant", constant).ordinal());
   }
 
   @Override

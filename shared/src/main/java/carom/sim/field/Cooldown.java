@@ -1,5 +1,7 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
+
 /**
  * A wait that clients show around the own body while it runs, such as the time until the next dash.
  *
@@ -14,6 +16,8 @@ public record Cooldown(String label, Countdown countdown, float seconds) {
    * @throws IllegalArgumentException when it isn't above 0
    */
   public Cooldown {
+    Limits.notNull("label", label);
+    Limits.notNull("countdown", countdown);
     if (!(seconds > 0)) {
       throw new IllegalArgumentException("seconds=" + seconds + " of cooldown " + label + " <= 0");
     }

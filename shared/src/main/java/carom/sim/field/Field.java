@@ -1,7 +1,7 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
 import carom.sim.event.Audience;
-import java.util.Objects;
 
 /**
  * A piece of a game's state: what it is called, what it can hold, what has it, who is told, and how
@@ -57,8 +57,9 @@ public abstract class Field<F extends Field<F>> {
       int times,
       boolean lowestIsBest) {
     Spec {
-      Objects.requireNonNull(scope, "scope");
-      Objects.requireNonNull(audience, "audience");
+      Limits.notNull("name", name);
+      Limits.notNull("scope", scope);
+      Limits.notNull("audience", audience);
       if (!isName(name)) {
         throw new IllegalArgumentException(
             "field name=\""

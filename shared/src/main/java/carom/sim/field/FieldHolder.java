@@ -1,5 +1,7 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
+
 /**
  * A holder of fields of a game that may be written, too. On a client, writes that it can't predict
  * are dropped, see {@link FieldStore}.
@@ -50,12 +52,12 @@ public interface FieldHolder<E extends FieldReader<E, P>, P extends FieldReader<
 
   /** Sets a constant. */
   default <T extends Enum<T>> void set(Choice<T> field, T value) {
-    fieldValues().write(fieldValues().word(field), value.ordinal());
+    fieldValues().write(fieldValues().word(field), Limits.notNull("value", value).ordinal());
   }
 
   /** Sets one of several constants. */
   default <T extends Enum<T>> void set(Choice<T> field, int index, T value) {
-    fieldValues().write(fieldValues().word(field, index), value.ordinal());
+    fieldValues().write(fieldValues().word(field, index), Limits.notNull("value", value).ordinal());
   }
 
   /**

@@ -1,5 +1,6 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
 import carom.sim.event.Audience;
 
 /**
@@ -39,6 +40,9 @@ public record Gauge(Kind kind, String label, Field<?> field) {
    * @throws IllegalArgumentException when the field is only for the server
    */
   public Gauge {
+    Limits.notNull("kind", kind);
+    Limits.notNull("label", label);
+    Limits.notNull("field", field);
     if (field.audience() == Audience.NOBODY) {
       throw new IllegalArgumentException(
           "gauge \"" + label + "\": no player is told " + field.path() + "; declare it .to(OWNER)");
@@ -67,7 +71,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
 
   /** Returns a number of the own player or of the match; a {@link Countdown} shows seconds. */
   public static Gauge number(String label, IntField<?> field) {
-    boolean known = field.scope() == Scope.MATCH;
+    boolean known = Limits.notNull("field", field).scope() == Scope.MATCH;
     return new Gauge(Kind.NUMBER, label, of(known ? Scope.MATCH : Scope.PLAYER, field));
   }
 
@@ -78,7 +82,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
 
   /** Returns the scores of teams; the field has several values, and the index is the team. */
   public static Gauge teamScore(Count field) {
-    if (field.times() < 2) {
+    if (Limits.notNull("field", field).times() < 2) {
       throw new IllegalArgumentException(
           field.path() + " has one value; a team score needs .times(number of teams + 1)");
     }
@@ -86,7 +90,7 @@ public record Gauge(Kind kind, String label, Field<?> field) {
   }
 
   private static Field<?> of(Scope scope, Field<?> field) {
-    if (field.scope().holder() != scope) {
+    if (Limits.notNull("field", field).scope().holder() != scope) {
       throw new IllegalArgumentException(
           "a gauge shows " + scope + " here; " + field.path() + " is of " + field.scope());
     }

@@ -1,5 +1,6 @@
 package carom.sim.field;
 
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.sim.event.Audience;
 import java.util.ArrayList;
@@ -275,7 +276,7 @@ public final class Schema {
    * @throws IllegalArgumentException if the field is of another scope or game, or has no such index
    */
   int word(Field<?> field, Scope scope, int index) {
-    int at = field.id() - firstId;
+    int at = Limits.notNull("field", field).id() - firstId;
     if (at < 0 || at >= offsets.length || offsets[at] < 0) {
       throw new IllegalArgumentException(
           "field " + field.path() + " isn't declared; return it from Game.fields");
@@ -298,7 +299,7 @@ public final class Schema {
    *     values
    */
   int word(Field<?> field, Scope scope) {
-    if (field.times() != 1) {
+    if (Limits.notNull("field", field).times() != 1) {
       throw new IllegalArgumentException(
           "field " + field.path() + " has values=" + field.times() + "; say which by an index");
     }

@@ -1,5 +1,7 @@
 package carom.sim.level;
 
+import carom.physics.math.Limits;
+
 /**
  * The look of an entity. The simulation never reads it.
  *
@@ -31,6 +33,11 @@ public record Appearance(int rgb, int outlineRgb, Look look) {
     COIN,
     /** A lamp, on or off. */
     LAMP
+  }
+
+  /** Checks that there is a look. */
+  public Appearance {
+    Limits.notNull("look", look);
   }
 
   /** Returns a plain appearance whose edge has 60 % of the fill's brightness. */

@@ -13,7 +13,6 @@ import carom.sim.field.Scope;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
 
 /**
  * Describes an {@link Archetype} before it is registered. It is filled in fluently and handed to
@@ -54,7 +53,7 @@ public final class ArchetypeDef {
    * Archetypes#find}.
    */
   public ArchetypeDef(String name) {
-    this.name = name;
+    this.name = Limits.notNull("name", name);
   }
 
   ArchetypeDef(ArchetypeDef d) {
@@ -98,13 +97,14 @@ public final class ArchetypeDef {
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
   public ArchetypeDef type(BodyType value) {
-    type = value;
+    type = Limits.notNull("type", value);
     return this;
   }
 
   /** Adds a shape in the body's frame, with its own material. */
   public ArchetypeDef shape(Shape shape, Material material) {
-    shapes.add(shape);
+    Limits.notNull("material", material);
+    shapes.add(Limits.notNull("shape", shape));
     materials.add(material);
     return this;
   }
@@ -135,7 +135,7 @@ public final class ArchetypeDef {
 
   /** Sets the axes along which nothing but its velocity moves a body; none by default. */
   public ArchetypeDef motionLocks(MotionLocks motionLocks) {
-    locks = Objects.requireNonNull(motionLocks, "motionLocks");
+    locks = Limits.notNull("motionLocks", motionLocks);
     return this;
   }
 
@@ -153,7 +153,7 @@ public final class ArchetypeDef {
 
   /** Sets with what all shapes of the bodies collide; with everything by default. */
   public ArchetypeDef filter(Filter value) {
-    filter = Objects.requireNonNull(value, "filter");
+    filter = Limits.notNull("filter", value);
     return this;
   }
 
@@ -183,7 +183,7 @@ public final class ArchetypeDef {
 
   /** Sets the path of a kinematic body. The simulation keeps each such body on it. */
   public ArchetypeDef motion(ScriptedMotion value) {
-    motion = value;
+    motion = Limits.notNull("motion", value);
     return this;
   }
 
@@ -193,7 +193,7 @@ public final class ArchetypeDef {
    * level.
    */
   public ArchetypeDef area(Area value) {
-    area = value;
+    area = Limits.notNull("area", value);
     areaPower = null;
     return this;
   }
@@ -207,6 +207,7 @@ public final class ArchetypeDef {
    * @throws IllegalArgumentException if the field belongs to something else or is told to fewer
    */
   public ArchetypeDef area(Area value, Ratio power) {
+    Limits.notNull("power", power);
     boolean told = power.audience() == Audience.NEAR || power.audience() == Audience.ALL;
     if (power.scope() != Scope.ENTITY || !told) {
       throw new IllegalArgumentException(
@@ -216,7 +217,7 @@ public final class ArchetypeDef {
               + power
               + " can't be the power of an area; declare it .of(ENTITY).to(NEAR)");
     }
-    area = value;
+    area = Limits.notNull("area", value);
     areaPower = power;
     return this;
   }
@@ -228,13 +229,16 @@ public final class ArchetypeDef {
    * @param fields of entities; declared but for their start
    */
   public ArchetypeDef starts(Field<?>... fields) {
+    for (Field<?> field : Limits.notNull("fields", fields)) {
+      Limits.notNull("field", field);
+    }
     starts.addAll(List.of(fields));
     return this;
   }
 
   /** Sets how the entities are drawn. */
   public ArchetypeDef appearance(Appearance value) {
-    appearance = value;
+    appearance = Limits.notNull("appearance", value);
     return this;
   }
 }

@@ -1,5 +1,6 @@
 package carom.sim.level;
 
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -24,6 +25,7 @@ public final class Archetypes {
    * @throws IllegalArgumentException when the definition has no shape
    */
   public Archetype add(ArchetypeDef def) {
+    Limits.notNull("def", def);
     if (closed) {
       throw new IllegalStateException(
           "archetype=" + def.name + " is registered after set-up; register it in Game.setUp");

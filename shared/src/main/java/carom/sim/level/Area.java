@@ -175,7 +175,7 @@ public final class Area implements Cloneable {
   /** Returns this area with a name, for people. */
   public Area named(String newName) {
     Area area = copy();
-    area.name = newName;
+    area.name = Limits.notNull("name", newName);
     return area;
   }
 

@@ -1,6 +1,7 @@
 package carom.sim.level;
 
 import carom.physics.BodyType;
+import carom.physics.math.Limits;
 import carom.sim.pool.PoolDef;
 import carom.text.FileErrors;
 import java.io.IOException;
@@ -166,7 +167,7 @@ public final class Level {
    * @throws LevelException naming file, line, column, field, value and limit; nothing is kept then
    */
   public static Level parse(String fileName, byte[] json) throws LevelException {
-    requireSize(fileName, json.length);
+    requireSize(fileName, Limits.notNull("json", json).length);
     byte[] source = json.clone();
     return new Level(new LevelReader(fileName, source), source);
   }
@@ -177,7 +178,7 @@ public final class Level {
    * @throws LevelException when it cannot be read or used
    */
   public static Level load(Path file) throws LevelException {
-    String fileName = String.valueOf(file.getFileName());
+    String fileName = String.valueOf(Limits.notNull("file", file).getFileName());
     try (InputStream in = Files.newInputStream(file)) {
       return parse(fileName, in.readNBytes(MAX_BYTES + 1));
     } catch (IOException e) {
@@ -304,6 +305,7 @@ public final class Level {
    * left out, because they are never at rest.
    */
   public void forEachBody(EntityVisitor visitor) {
+    Limits.notNull("visitor", visitor);
     for (int id = 0; id < bodies.size(); id++) {
       Placement p = bodies.get(id);
       if (archetypes.get(p.archetype()).type != BodyType.DYNAMIC) {
@@ -320,6 +322,7 @@ public final class Level {
 
   /** Returns the spawn points of one name in file order. Allocates: for set-up. */
   public List<Spawn> spawns(String spawnName) {
+    Limits.notNull("spawnName", spawnName);
     List<Spawn> found = new ArrayList<>();
     for (Spawn spawn : spawns) {
       if (spawn.name().equals(spawnName)) {
@@ -336,6 +339,7 @@ public final class Level {
 
   /** Returns the zones of one name in file order. Allocates: for set-up. */
   public List<Zone> zones(String zoneName) {
+    Limits.notNull("zoneName", zoneName);
     List<Zone> found = new ArrayList<>();
     for (Zone zone : zones) {
       if (zone.name().equals(zoneName)) {

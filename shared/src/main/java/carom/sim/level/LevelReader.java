@@ -361,7 +361,9 @@ final class LevelReader {
             bool(node, "fixedRotation", false)));
     readFields(node.fields.get("fields"), def);
     Json area = node.fields.get("area");
-    def.area(area == null ? null : AreaReader.area(area));
+    if (area != null) {
+      def.area(AreaReader.area(area));
+    }
     def.spin(number(node, "spin", 0, -1080, 1080) * RAD_PER_DEGREE);
     Json motion = node.fields.get("motion");
     if (motion != null) {

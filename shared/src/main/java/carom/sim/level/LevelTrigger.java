@@ -27,6 +27,9 @@ public record LevelTrigger(
     float every,
     boolean once,
     boolean enabled) {
+  /** Longest time of an action or condition, s. */
+  public static final float MAX_SECONDS = 3600;
+
   /** The most triggers of a level. */
   public static final int MAX = 256;
 

@@ -37,7 +37,6 @@ final class TriggerReader {
   static final int MAX_ACTIONS = 16;
   static final int MAX_PARTS = 16;
   static final float MIN_SECONDS = 0.0625f;
-  static final float MAX_SECONDS = 3600;
   static final float MAX_IMPULSE = 10_000;
 
   /** The causes of conditions, each with the fields that may stand beside it. */
@@ -139,8 +138,8 @@ final class TriggerReader {
         when,
         then,
         otherwise,
-        number(node, "after", 0, 0, MAX_SECONDS),
-        number(node, "every", 0, MIN_SECONDS, MAX_SECONDS),
+        number(node, "after", 0, 0, LevelTrigger.MAX_SECONDS),
+        number(node, "every", 0, MIN_SECONDS, LevelTrigger.MAX_SECONDS),
         bool(node, "once", false),
         bool(node, "enabled", true));
   }
@@ -163,7 +162,7 @@ final class TriggerReader {
         name = known(value, bodies, "the \"name\" of one of \"bodies\" or \"statics\" that touch");
         least = number(node, "impulse", 0, 0, MAX_IMPULSE);
       }
-      case TIMER -> least = number(node, kind, 0, 0, MAX_SECONDS);
+      case TIMER -> least = number(node, kind, 0, 0, LevelTrigger.MAX_SECONDS);
       case SCORE -> least = integer(node, kind, 0, -MAX_NUMBER, MAX_NUMBER);
       case FIELD -> {
         name = field(value, SCOPES.subList(0, 1));
@@ -226,7 +225,7 @@ final class TriggerReader {
       case MOVE -> {
         body = moved(value);
         at = vector(required(node, "to"), MAX_COORDINATE);
-        amount = number(node, "seconds", 1, MIN_SECONDS, MAX_SECONDS);
+        amount = number(node, "seconds", 1, MIN_SECONDS, LevelTrigger.MAX_SECONDS);
       }
       case SPAWN -> {
         name = text(value);

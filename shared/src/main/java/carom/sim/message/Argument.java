@@ -1,5 +1,6 @@
 package carom.sim.message;
 
+import carom.physics.math.Limits;
 import carom.text.Texts;
 import java.util.List;
 
@@ -50,7 +51,7 @@ public record Argument(String name, Type type, int min, int max, List<Object> co
 
   /** Checks the name. */
   public Argument {
-    if (name.isEmpty() || name.length() > 64) {
+    if (Limits.notNull("name", name).isEmpty() || name.length() > 64) {
       throw new IllegalArgumentException(
           "name=\"" + name + "\" of an argument must have 1 to 64 characters");
     }
@@ -77,7 +78,7 @@ public record Argument(String name, Type type, int min, int max, List<Object> co
   }
 
   static Argument choice(String name, Class<? extends Enum<?>> type) {
-    List<Object> constants = List.of((Object[]) type.getEnumConstants());
+    List<Object> constants = List.of((Object[]) Limits.notNull("type", type).getEnumConstants());
     if (constants.size() < 1 || constants.size() > MAX_CHOICES) {
       throw new IllegalArgumentException(
           name + " has constants=" + constants.size() + " outside 1.." + MAX_CHOICES);

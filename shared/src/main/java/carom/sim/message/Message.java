@@ -1,5 +1,6 @@
 package carom.sim.message;
 
+import carom.physics.math.Limits;
 import carom.text.Texts;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -27,7 +28,7 @@ public final class Message {
   /** Returns whether the message is of a kind. */
   @SuppressWarnings("ReferenceEquality") // a kind is declared once
   public boolean is(MessageKind other) {
-    return kind == other;
+    return kind == Limits.notNull("other", other);
   }
 
   /**
@@ -102,6 +103,7 @@ public final class Message {
    * @throws IllegalArgumentException when it was declared otherwise
    */
   public <R extends Record> R as(Class<R> type) {
+    Limits.notNull("type", type);
     RecordForm form = kind.form();
     if (form == null || form.type() != type) {
       throw kind.refused("isn't declared by " + type.getSimpleName());

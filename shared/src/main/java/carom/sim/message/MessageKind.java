@@ -1,5 +1,6 @@
 package carom.sim.message;
 
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -87,7 +88,7 @@ public final class MessageKind {
    * @throws IllegalArgumentException when the name is empty or too long
    */
   public static MessageKind named(String name) {
-    if (name.isEmpty() || name.length() > 64) {
+    if (Limits.notNull("name", name).isEmpty() || name.length() > 64) {
       throw new IllegalArgumentException(
           "name=\"" + name + "\" of a message kind must have 1 to 64 characters");
     }
@@ -111,7 +112,10 @@ public final class MessageKind {
    * @throws IllegalArgumentException when a component has no bounds or another type; says which
    */
   public static MessageKind of(Class<? extends Record> type) {
-    String simple = type.getSimpleName();
+    String simple = Limits.notNull("type", type).getSimpleName();
+    if (!type.isRecord()) {
+      throw new IllegalArgumentException("type=" + type.getName() + " is no record");
+    }
     if (simple.isEmpty()) {
       throw new IllegalArgumentException("type=" + type.getName() + " has no name of its own");
     }
@@ -215,7 +219,7 @@ public final class MessageKind {
    * @throws IllegalArgumentException when a value is missing, of another type or out of range
    */
   public Message of(Object... values) {
-    if (values.length != arguments.size()) {
+    if (Limits.notNull("values", values).length != arguments.size()) {
       throw refused("takes arguments=" + arguments.size() + ", not " + values.length);
     }
     Message message = new Message(this);
@@ -236,6 +240,7 @@ public final class MessageKind {
    * @throws IllegalArgumentException when it is another class, or a value is out of range
    */
   public Message of(Record values) {
+    Limits.notNull("values", values);
     if (form == null || form.type() != values.getClass()) {
       throw refused("isn't declared by " + values.getClass().getSimpleName());
     }

@@ -1,5 +1,6 @@
 package carom.sim.message;
 
+import carom.physics.math.Limits;
 import carom.sim.message.MessageKind.Direction;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -30,6 +31,7 @@ public final class MessageKinds {
    * @throws IllegalArgumentException when there is a kind of this name
    */
   public MessageKind add(MessageKind kind) {
+    Limits.notNull("kind", kind);
     if (closed) {
       throw new IllegalStateException(
           "message kind " + kind.name() + " is registered after set-up; register it in Game.setUp");

@@ -1,9 +1,9 @@
 package carom.sim.outbox;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.Entity;
 import carom.sim.entity.Player;
 import carom.sim.message.Message;
-import java.util.Objects;
 
 /**
  * A message of the game on its way to clients, begun by {@code Simulation.send}. Without a call of
@@ -32,12 +32,12 @@ public final class Delivery {
   private int id;
 
   Delivery(Message message) {
-    this.message = Objects.requireNonNull(message, "message");
+    this.message = Limits.notNull("message", message);
   }
 
   /** Sends the message to one player. */
   public void to(Player player) {
-    address(Recipients.ONE, player.id());
+    address(Recipients.ONE, Limits.notNull("player", player).id());
   }
 
   /** Sends the message to all players of a team. */
@@ -52,7 +52,7 @@ public final class Delivery {
 
   /** Sends the message to all players who look at the place of an entity and may know it. */
   public void toNear(Entity entity) {
-    address(Recipients.NEAR, entity.id());
+    address(Recipients.NEAR, Limits.notNull("entity", entity).id());
   }
 
   private void address(Recipients recipients, int id) {

@@ -1,5 +1,6 @@
 package carom.sim.outbox;
 
+import carom.physics.math.Limits;
 import carom.sim.entity.Entity;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.Player;
@@ -99,7 +100,7 @@ public final class Event {
    * event, except for {@link Audience#NOBODY}.
    */
   public Event to(Audience newAudience) {
-    audience = newAudience;
+    audience = Limits.notNull("audience", newAudience);
     return this;
   }
 

@@ -1,6 +1,6 @@
 package carom.sim.outbox;
 
-import java.util.Objects;
+import carom.physics.math.Limits;
 
 /**
  * The match that a room plays after the present one, as a game asks for it by {@code
@@ -19,8 +19,8 @@ public record NextMatch(String game, String level, boolean keepsTeams, boolean k
 
   /** Checks that the names are there. */
   public NextMatch {
-    Objects.requireNonNull(game, "game");
-    Objects.requireNonNull(level, "level");
+    Limits.notNull("game", game);
+    Limits.notNull("level", level);
   }
 
   /** Returns a match in a level, of the game that the level is made for. */

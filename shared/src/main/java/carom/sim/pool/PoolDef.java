@@ -57,6 +57,7 @@ public final class PoolDef implements Cloneable {
       boolean open) {
     /** Checks the numbers. */
     public Spout {
+      Limits.notNull("name", name);
       Limits.coordinate("x", x);
       Limits.coordinate("y", y);
       if (!(dirX * dirX + dirY * dirY > 1e-6f)) {
@@ -98,7 +99,7 @@ public final class PoolDef implements Cloneable {
 
   private PoolDef(ParticleDef.Kind kind, String name, Rectangle box, float spacing) {
     this.kind = kind;
-    this.name = name;
+    this.name = Limits.notNull("name", name);
     this.box = box;
     this.spacing = Limits.range("spacing", spacing, 0.125f, 2);
     boolean water = kind == ParticleDef.Kind.WATER;
@@ -198,6 +199,7 @@ public final class PoolDef implements Cloneable {
   /** Returns this pool with another nozzle. */
   public PoolDef spout(Spout spout) {
     PoolDef def = copy();
+    Limits.notNull("spout", spout);
     def.spouts = added("spouts", spouts, spout, MAX_SPOUTS);
     return def;
   }

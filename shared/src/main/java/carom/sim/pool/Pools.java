@@ -5,6 +5,7 @@ import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -90,6 +91,7 @@ public final class Pools {
    * @throws IllegalStateException after {@code setUp}
    */
   public Pool add(PoolDef def) {
+    Limits.notNull("def", def);
     if (begun) {
       throw new IllegalStateException("pool " + def.name() + " must be added in Game.setUp");
     }

@@ -31,6 +31,7 @@ final class LookPainter implements Disposable {
   private final LookPictures pictures;
   private final SpritePainter sprites;
   private final LookEffects effects;
+  private final Reactions reactions = new Reactions();
   private final SpriteBatch batch = new SpriteBatch();
   private final ShownLook look;
   private boolean isPlain = true;
@@ -40,7 +41,6 @@ final class LookPainter implements Disposable {
     this.look = look;
     this.parts = parts;
     pictures = new LookPictures(look::tell);
-    Reactions reactions = new Reactions();
     sprites = new SpritePainter(look, pictures, reactions);
     effects = new LookEffects(look, pictures, reactions, ears);
   }
@@ -100,6 +100,11 @@ final class LookPainter implements Disposable {
   /** Returns what events, blows and movements set off. */
   public LookEffects effects() {
     return effects;
+  }
+
+  /** Returns how a body reacts to a blow or an event; null if the look has no reactions. */
+  Reactions.Shown reaction(Drawn body) {
+    return isPlain || parts.isBroken(EFFECTS) ? null : reactions.of(body);
   }
 
   /** Returns whether sprites take the place of an archetype's shapes. */

@@ -4,6 +4,7 @@ import carom.client.look.Reaction;
 import carom.client.look.ViewSetup;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import com.badlogic.gdx.math.Affine2;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector2;
 
@@ -80,21 +81,36 @@ final class Reactions {
     }
 
     /** Returns how far from its place it is drawn, metres. */
-    float moveX(float x) {
+    private float moveX(float x) {
       return back() * MathUtils.clamp(heldX - x, -MAX_HELD_M, MAX_HELD_M);
     }
 
     /** Returns how far from its place it is drawn, metres. */
-    float moveY(float y) {
+    private float moveY(float y) {
       return back() * MathUtils.clamp(heldY - y, -MAX_HELD_M, MAX_HELD_M);
     }
 
-    float normalX() {
-      return normalX;
+    /** Returns whether it is drawn elsewhere or squeezed now. */
+    boolean isBent() {
+      return squash() != 0 || back() != 0;
     }
 
-    float normalY() {
-      return normalY;
+    /**
+     * Returns the way from a place of the body, in metres of the level, to where it is drawn: moved
+     * back to where it was struck, and squeezed around the body's place along the blow, longer
+     * across it, so that it keeps its size.
+     */
+    Affine2 bend(float x, float y, Affine2 out) {
+      float squash = squash();
+      float wider = 1 / (1 - squash);
+      float less = 1 - squash - wider;
+      out.m00 = wider + less * normalX * normalX;
+      out.m01 = less * normalX * normalY;
+      out.m10 = out.m01;
+      out.m11 = wider + less * normalY * normalY;
+      out.m02 = x + moveX(x) - out.m00 * x - out.m01 * y;
+      out.m12 = y + moveY(y) - out.m10 * x - out.m11 * y;
+      return out;
     }
   }
 

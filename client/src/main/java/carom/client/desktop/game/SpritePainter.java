@@ -15,6 +15,7 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.graphics.Texture;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.math.Affine2;
 import com.badlogic.gdx.math.MathUtils;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -50,12 +51,10 @@ final class SpritePainter {
   private final Transform still = new Transform();
   private double seconds;
 
-  // How what is drawn next is squeezed: by which share, around which point, along which normal.
-  private float squash;
-  private float squashX;
-  private float squashY;
-  private float normalX;
-  private float normalY;
+  private final Affine2 affine = new Affine2();
+
+  /** The way to where what is drawn next is shown, null for its own place. */
+  private Affine2 bend;
 
   SpritePainter(ShownLook look, LookPictures pictures, Reactions reactions) {
     this.look = look;
@@ -150,9 +149,9 @@ final class SpritePainter {
     List<Ready> sprites = of(body.archetype());
     Track track = tracks.see(body.id(), body.generation());
     Reactions.Shown reaction = reactions.of(body);
-    float x = body.x() + (reaction == null ? 0 : reaction.moveX(body.x()));
-    float y = body.y() + (reaction == null ? 0 : reaction.moveY(body.y()));
-    squeeze(reaction, x, y);
+    float x = body.x();
+    float y = body.y();
+    bend = reaction == null || !reaction.isBent() ? null : reaction.bend(x, y, affine);
     for (int i = 0; i < sprites.size(); i++) {
       Ready r = sprites.get(i);
       Sprite sprite = r.sprite;
@@ -179,18 +178,7 @@ final class SpritePainter {
         draw(batch, r, white, frame, x, y, angle, mirrorX, mirrorY);
       }
     }
-    squash = 0;
-  }
-
-  /** Has what is drawn next squeezed around a point, as a blow does. */
-  private void squeeze(Reactions.Shown reaction, float x, float y) {
-    squash = reaction == null ? 0 : reaction.squash();
-    if (squash != 0) {
-      squashX = x;
-      squashY = y;
-      normalX = reaction.normalX();
-      normalY = reaction.normalY();
-    }
+    bend = null;
   }
 
   /** Draws the sprites of a piece of the level. */
@@ -306,15 +294,10 @@ final class SpritePainter {
       quad[at + 2] = bits;
       quad[at + 3] = right ? u2 : u;
       quad[at + 4] = top ? v2 : v;
-      if (squash != 0) {
-        float dx = quad[at] - squashX;
-        float dy = quad[at + 1] - squashY;
-        float along = normalX * dx + normalY * dy;
-        // Along the blow it is shorter, across it longer: it keeps its size.
-        float wider = 1 / (1 - squash);
-        float less = (1 - squash - wider) * along;
-        quad[at] = squashX + wider * dx + less * normalX;
-        quad[at + 1] = squashY + wider * dy + less * normalY;
+      if (bend != null) {
+        float bentX = bend.m00 * quad[at] + bend.m01 * quad[at + 1] + bend.m02;
+        quad[at + 1] = bend.m10 * quad[at] + bend.m11 * quad[at + 1] + bend.m12;
+        quad[at] = bentX;
       }
     }
     batch.draw(picture, quad, 0, VERTICES);

@@ -26,7 +26,9 @@ import carom.sim.level.Area;
 import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.Affine2;
 import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Matrix4;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -80,6 +82,9 @@ public final class WorldPainter {
   private final Color fill = new Color();
   private final Color edge = new Color();
   private final Color detail = new Color();
+  private final Affine2 affine = new Affine2();
+  private final Matrix4 bend = new Matrix4();
+  private final Matrix4 bent = new Matrix4();
   private final List<Scenery> scenery = new ArrayList<>();
   private Level sceneryOf;
   private boolean hasTeams;
@@ -125,7 +130,7 @@ public final class WorldPainter {
     parts.run("scenery", () -> scenery(level, seconds));
     between(camera, pixelsPerMetre, () -> behindBodies(view, camera));
     parts.run("streaks", () -> streaks(view));
-    parts.run("bodies", () -> bodies(view, seconds));
+    parts.run("bodies", () -> bodies(view, camera, pixelsPerMetre, seconds));
     between(camera, pixelsPerMetre, () -> look.bodies(view, camera, this::rgb));
     parts.run("joints", () -> joints(view, pixelsPerMetre));
     parts.run("areas before", () -> areasBefore(view, seconds));
@@ -238,7 +243,8 @@ public final class WorldPainter {
     }
   }
 
-  private void bodies(ClientView view, float seconds) {
+  private void bodies(
+      ClientView view, OrthographicCamera camera, float pixelsPerMetre, float seconds) {
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
@@ -249,15 +255,37 @@ public final class WorldPainter {
         }
         continue;
       }
-      pose(drawn, 0, 0);
-      float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
-      int chosen = playerRgb(drawn);
-      paint(drawn.archetype(), bodyRgb(chosen, drawn), drawn.alpha(), seconds, glow);
-      if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
-        if (chosen >= 0 && hasTeams) {
-          rim(drawn, chosen);
-        }
-        face(drawn, drawn == own, view, seconds);
+      Reactions.Shown reaction = look.reaction(drawn);
+      if (reaction == null || !reaction.isBent()) {
+        body(drawn, reaction, view, seconds);
+      } else {
+        canvas.end();
+        bent.set(camera.combined);
+        bent.mul(bend.set(reaction.bend(drawn.x(), drawn.y(), affine)));
+        canvas.begin(bent, pixelsPerMetre);
+        body(drawn, reaction, view, seconds);
+        canvas.end();
+        canvas.begin(camera.combined, pixelsPerMetre);
+      }
+    }
+  }
+
+  private void body(Drawn drawn, Reactions.Shown reaction, ClientView view, float seconds) {
+    pose(drawn, 0, 0);
+    float glow = glow(drawn.archetype(), drawn.x(), drawn.y());
+    int chosen = playerRgb(drawn);
+    paint(drawn.archetype(), bodyRgb(chosen, drawn), drawn.alpha(), seconds, glow);
+    if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
+      if (chosen >= 0 && hasTeams) {
+        rim(drawn, chosen);
+      }
+      face(drawn, drawn == view.own(), view, seconds);
+    }
+    float flash = reaction == null ? 0 : reaction.flash();
+    if (flash > 0) {
+      UiColours.shade(reaction.flashRgb(), 1, flash * drawn.alpha(), detail);
+      for (Shape shape : drawn.archetype().shapes()) {
+        shapes.fill(shape, detail);
       }
     }
   }

@@ -1,10 +1,13 @@
 package carom.client.desktop.game;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.look.Reaction;
+import com.badlogic.gdx.math.Affine2;
+import com.badlogic.gdx.math.Vector2;
 import org.junit.jupiter.api.Test;
 
 /** Goal: a struck body shows its blow and is itself again. Method: time passes by hand. */
@@ -30,16 +33,35 @@ final class ReactionsTest {
   @Test
   void aBodyIsHeldThenCatchesUpAndNeverIsFarFromItsPlace() {
     shown.begin(new Reaction().hold(0.1f), 5, 1, 0, 0, 1);
-    assertEquals(0, shown.normalX());
-    assertEquals(1, shown.normalY(), "without a direction it is squeezed from above");
     shown.age(0.1f);
-    assertEquals(-1.5f, shown.moveX(6.5f), 1e-6f, "it is where it was struck");
-    assertEquals(-2, shown.moveX(90), 1e-6f);
+    assertEquals(5, shownAt(6.5f, 1, 6.5f, 1).x, 1e-6f, "it is where it was struck");
+    assertEquals(88, shownAt(90, 1, 90, 1).x, 1e-5f);
     shown.age(0.05f);
-    assertEquals(-0.75f, shown.moveX(6.5f), 1e-5f, "half way");
+    assertEquals(5.75f, shownAt(6.5f, 1, 6.5f, 1).x, 1e-5f, "half way");
+    assertTrue(shown.isBent());
     shown.age(0.06f);
-    assertEquals(0, shown.moveX(6.5f), 1e-9f);
-    assertEquals(0, shown.moveY(9), 1e-9f);
+    assertEquals(new Vector2(6.5f, 9), shownAt(6.5f, 9, 6.5f, 9));
+    assertFalse(shown.isBent());
+  }
+
+  @Test
+  void aBodyIsShorterAlongTheBlowAndLongerAcrossItAndKeepsItsSize() {
+    shown.begin(new Reaction().squash(0.5f), 3, 4, 0.6f, 0.8f, 1);
+    assertEquals(3, shownAt(3, 4, 3, 4).x, 1e-6f, "its middle stays");
+    Vector2 along = shownAt(3, 4, 3 + 0.6f, 4 + 0.8f).sub(3, 4);
+    assertEquals(0, along.dst(0.3f, 0.4f), 1e-5f);
+    Vector2 across = shownAt(3, 4, 3 - 0.8f, 4 + 0.6f).sub(3, 4);
+    assertEquals(0, across.dst(-1.6f, 1.2f), 1e-5f);
+    assertEquals(1, shown.bend(3, 4, new Affine2()).det(), 1e-5f);
+    shown.begin(new Reaction().squash(0.5f), 0, 0, 0, 0, 1);
+    assertEquals(0.5f, shownAt(0, 0, 0, 1).y, 1e-6f, "without a direction it is from above");
+  }
+
+  /** Returns where a point is shown of a body at a place. */
+  private Vector2 shownAt(float x, float y, float pointX, float pointY) {
+    Vector2 point = new Vector2(pointX, pointY);
+    shown.bend(x, y, new Affine2()).applyTo(point);
+    return point;
   }
 
   @Test

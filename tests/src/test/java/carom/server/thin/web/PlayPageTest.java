@@ -205,7 +205,8 @@ final class PlayPageTest {
     Schema schema = SimulationHost.schemaOf(Games.create("arena"), Level.builtIn("arena"));
     String[] names = {"Ann <b>", "Bob", "Cleo"};
     for (int i = 0; i < names.length; i++) {
-      AccountValues values = AccountValues.NONE.with("arena", schema, new int[] {3 - i, 10 + i});
+      AccountValues values =
+          AccountValues.NONE.with("arena", schema, new int[] {3 - i, 10 + i, 1_500});
       store.write(
           AccountWrite.of(
               new Stay(String.valueOf(i), 1, values),

@@ -174,6 +174,15 @@ export class Look {
     };
   }
 
+  /** Returns the way from a place near (x, y), in metres, to where a body there is drawn, for a canvas; null if it is drawn there. */
+  bend(reaction, x, y) {
+    const {dx, dy, nx, ny, squash} = reaction;
+    if (!squash && !dx && !dy) return null;
+    const wider = 1 / (1 - squash), less = 1 - squash - wider; // longer across the blow: it keeps its size
+    const [a, b, d] = squash ? [wider + less * nx * nx, less * nx * ny, wider + less * ny * ny] : [1, 0, 1];
+    return [a, b, b, d, x + dx - a * x - b * y, y + dy - b * x - d * y];
+  }
+
   /**
    * Draws the sprites of a body or piece; `place(g, x, y, angle)` sets the canvas to metres there. `by(value)` reads a value,
    * `aim` is where it aims, `silhouette` draws its shadow.

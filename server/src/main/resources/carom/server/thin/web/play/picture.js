@@ -160,8 +160,12 @@ export class Picture {
     for (const d of shown) if (!look?.trails[d.kind.name]) this.streak(g, d);
     for (const d of shown) {
       if (d.sprites) { this.sprites(g, d, d === own ? aim : null, time, false); continue; }
-      this.body(g, d.kind, this.colour(d), d.pose[0], d.pose[1], d.pose[2], time);
+      const [x, y, angle] = d.pose, r = d.track?.reaction && this.look.reactionOf(d.track, x, y);
+      this.bend = r && this.look.bend(r, x, y);
+      this.body(g, d.kind, this.colour(d), x, y, angle, time);
       if (d.kind.look === 'PLAYER') this.face(g, d, d === own, aim, time);
+      if (r?.flash) this.lightUp(g, d.kind, r, x, y, angle);
+      this.bend = null;
     }
     g.setTransform(...this.view);
     this.joints(g, shown);
@@ -231,8 +235,17 @@ export class Picture {
   }
 
   place(g, x, y, angle) {
-    const v = this.view, cos = Math.cos(angle) * v[0], sin = Math.sin(angle) * v[0];
-    g.setTransform(cos, -sin, -sin, -cos, v[4] + v[0] * x, v[5] - v[0] * y);
+    const v = this.view, cos = Math.cos(angle), sin = Math.sin(angle);
+    g.setTransform(v[0], 0, 0, -v[0], v[4], v[5]);
+    if (this.bend) g.transform(...this.bend);
+    g.transform(cos, sin, -sin, cos, x, y);
+  }
+
+  /** Lights up the shapes of a body that reacts to a blow. */
+  lightUp(g, kind, reaction, x, y, angle) {
+    this.place(g, x, y, angle);
+    g.fillStyle = shade(reaction.rgb, 1, reaction.flash);
+    g.fill(kind.path);
   }
 
   backdrop(g, match, hasGrid) {
