@@ -36,7 +36,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Goal: a game that hangs costs its own room a few seconds, and the others nothing. Method: a
- * server with threads and sockets; a callback that loops on demand.
+ * server with threads and sockets; a callback that waits on demand, or loops where the others are
+ * looked at.
  */
 @Needs("sockets")
 @Timeout(120)
@@ -59,15 +60,16 @@ class HangTest {
     for (TestGame game : games) {
       if (game != null) {
         game.hangs = false;
+        game.loops = false;
         game.hangsInSetUp = false;
       }
     }
     transport.close();
     server.close();
-    await("no thread loops any longer", () -> !loopsInTestGame());
+    await("no thread hangs any longer", () -> !hangsInTestGame());
   }
 
-  private static boolean loopsInTestGame() {
+  private static boolean hangsInTestGame() {
     return Thread.getAllStackTraces().values().stream()
         .flatMap(Arrays::stream)
         .anyMatch(frame -> frame.getClassName().equals(TestGame.class.getName()));
@@ -132,10 +134,6 @@ class HangTest {
     }
   }
 
-  private static void loop(TestGame game) {
-    game.hangs = true;
-  }
-
   @Test
   void aRoomWhoseGameHangsGoesOnFromItsCheckpointAndTheOtherNoticesNothing() throws Exception {
     start(true);
@@ -147,7 +145,7 @@ class HangTest {
     int tick = hanging.tick();
     int age = other.age();
     long beganNs = System.nanoTime();
-    loop(games[0]);
+    games[0].loops = true;
     await("it is found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 1);
     await(
         "its thread has the lowest priority",
@@ -185,8 +183,8 @@ class HangTest {
     await("all run", () -> before.stream().allMatch(room -> room.age() > 60));
     int[] ages = before.stream().mapToInt(Room::age).toArray();
     long beganNs = System.nanoTime();
-    loop(games[4]);
-    loop(games[17]);
+    games[4].loops = true;
+    games[17].loops = true;
     await("both are found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 2);
     double seconds = (System.nanoTime() - beganNs) * 1e-9;
     for (int i = 0; i < ages.length; i++) {
@@ -207,7 +205,7 @@ class HangTest {
   void withoutCheckpointsTheRoomBeginsAnew() throws Exception {
     start(false);
     Room hanging = server.rooms().get(0);
-    loop(games[0]);
+    games[0].hangs = true;
     await("another room is in its place", () -> server.rooms().get(0) != hanging);
     FakeClient ann = join("Ann", "hangs", 0);
     play(ann, server.rooms().get(0));
@@ -218,10 +216,10 @@ class HangTest {
   void withTwoAbandonedThreadsOfTwoTheServerEndsForItsSupervisor() throws Exception {
     start(true);
     Room hanging = server.rooms().get(0);
-    loop(games[0]);
+    games[0].hangs = true;
     await("another room is in its place", () -> server.rooms().get(0) != hanging);
     assertFalse(server.hasFailed());
-    loop(games[1]);
+    games[1].hangs = true;
     server.awaitStop(); // the test's timeout would end it
     assertTrue(server.hasFailed(), "so that the process ends with another code than 0");
   }
@@ -300,7 +298,7 @@ class HangTest {
     matchOver(games[0], true);
     await("it is found", () -> server.count(Counter.CALLBACKS_ABANDONED) == 1);
     assertFalse(server.hasFailed());
-    loop(games[1]);
+    games[1].hangs = true;
     server.awaitStop(); // the test's timeout would end it
     assertTrue(server.hasFailed());
   }
@@ -316,7 +314,7 @@ class HangTest {
       synchronized (this) {
         setUpsHang = true;
       }
-      loop(games[0]);
+      games[0].hangs = true;
       server.awaitStop(); // the test's timeout would end it
       assertTrue(server.hasFailed());
       String second = lines.list.get(1).getFormattedMessage();

@@ -59,8 +59,13 @@ final class TestGame extends PlainGame {
   /** What {@link #keepsMore} throws instead of an answer; null for nothing. */
   Supplier<Error> keepsMoreFails = () -> null;
 
-  /** Makes {@link #beforeStep} loop for as long as it is true. */
+  /**
+   * Makes {@link #beforeStep} wait for as long as it is true, which leaves the processor to others.
+   */
   volatile boolean hangs;
+
+  /** Makes {@link #beforeStep} loop for as long as it is true, and take a processor. */
+  volatile boolean loops;
 
   /** Makes {@link #setUp} wait for as long as it is true, which leaves the processor to others. */
   volatile boolean hangsInSetUp;
@@ -183,6 +188,9 @@ final class TestGame extends PlainGame {
   @Override
   public void beforeStep(Match s) {
     while (hangs) {
+      LockSupport.parkNanos(1_000_000);
+    }
+    while (loops) {
       Thread.onSpinWait();
     }
     if (ballsMove) {

@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  */
 record TestClass(String name, String methods, Part part, boolean optimized) {
   /** Packages that compute for long, or call the vector kernels, which are slow otherwise. */
-  static final List<String> OPTIMIZED = List.of("carom.physics.", "carom.sim.scene.", "carom.lab.");
+  static final List<String> OPTIMIZED = List.of("carom.physics.", "carom.sim.scene.");
 
   enum Part {
     /** What isn't marked: it computes. */

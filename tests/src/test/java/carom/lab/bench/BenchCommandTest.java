@@ -96,7 +96,7 @@ class BenchCommandTest {
         run(
             "--quick",
             "--warm-up=0.2",
-            "--cap=20",
+            "--cap=8",
             "--scenes=gas_1k",
             "--threads=2,1",
             "--json=" + json,
@@ -140,7 +140,7 @@ class BenchCommandTest {
             "--quick",
             "--warm-up=0.1",
             "--cap=2",
-            "--scenes=bp_uniform_1k,rebuild_10k,hash_10k,pairs_1k");
+            "--scenes=bp_uniform_1k,rebuild_10k,create_10k,pairs_1k");
     assertEquals(0, status, err.toString());
     List<String> rows = out.toString().lines().toList();
     assertEquals(5 + 3 + 2 + 2, rows.size(), out.toString());
@@ -189,6 +189,7 @@ class BenchCommandTest {
             "--json",
             "--quick",
             "--warm-up=0.1",
+            "--cap=8",
             "--kernels=scalar",
             "--threads=1",
             "--peers=none",
