@@ -3,7 +3,7 @@ package carom.server.fleet;
 import carom.server.checkpoint.SlotDisk;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.DirectoryException;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -69,7 +69,8 @@ final class Followers implements AutoCloseable {
    *
    * @param rooms of this server, by name
    */
-  void turn(Map<String, Room> rooms, boolean draining, long nowNs) {
+  void turn(Map<String, FleetRoom> rooms, boolean draining, long nowNs) {
+    burdens = null;
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() != lease.number()) {
         peers.reach(server);
@@ -89,7 +90,7 @@ final class Followers implements AutoCloseable {
     all.sort(Comparator.comparing(claim -> -players(rooms.get(claim.room()))));
     boolean crowded = !all.isEmpty() && players(rooms.get(all.get(0).room())) > 0;
     for (Claims.Claim claim : all) {
-      Room room = rooms.get(claim.room());
+      FleetRoom room = rooms.get(claim.room());
       if (room == null || claim.handedOver) {
         continue;
       }
@@ -113,8 +114,8 @@ final class Followers implements AutoCloseable {
     }
   }
 
-  private static int players(Room room) {
-    return room == null ? 0 : room.seats().takenCount();
+  private static int players(FleetRoom room) {
+    return room == null ? 0 : room.players();
   }
 
   /**
@@ -133,7 +134,7 @@ final class Followers implements AutoCloseable {
     return moving != null;
   }
 
-  private void findFollower(Claims.Claim claim, Room room, long nowNs) {
+  private void findFollower(Claims.Claim claim, FleetRoom room, long nowNs) {
     ServerRecord present = view.servers().get(claim.follower);
     boolean reached = present != null && peers.isReached(present.lease()) && !claim.unasked;
     if (claim.movesTo != 0) {
@@ -167,7 +168,7 @@ final class Followers implements AutoCloseable {
   }
 
   /** Lets a server follow a room, or nobody. */
-  private void follow(Claims.Claim claim, Room room, ServerRecord server) {
+  private void follow(Claims.Claim claim, FleetRoom room, ServerRecord server) {
     if (server == null || !peers.isReached(server.lease())) {
       if (claim.follower != 0) {
         end(claim);
@@ -277,7 +278,7 @@ final class Followers implements AutoCloseable {
     return to.name();
   }
 
-  private void handOver(Claims.Claim claim, Room room) {
+  private void handOver(Claims.Claim claim, FleetRoom room) {
     claim.handedOver = true;
     long to = claim.movesTo;
     ServerRecord server = view.servers().get(to);
@@ -304,7 +305,7 @@ final class Followers implements AutoCloseable {
   }
 
   /** Gives a room that has ended here to its follower, who has all of it by then. */
-  private void giveAway(Claims.Claim claim, Room room, long to) {
+  private void giveAway(Claims.Claim claim, FleetRoom room, long to) {
     try {
       SlotDisk disk = disks.get(to);
       if (disk == null || !disk.flush()) {

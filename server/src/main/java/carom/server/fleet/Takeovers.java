@@ -2,7 +2,7 @@ package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
 import carom.server.directory.DirectoryException;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import carom.server.session.Ownership;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -126,7 +126,7 @@ final class Takeovers {
         () -> {
           int match = followed.match();
           try {
-            Room room = host.prepare(settings, followed.folder(), claims.unclaimed());
+            FleetRoom room = host.prepare(settings, followed.folder(), claims.unclaimed());
             followed.prepared(new Following.Prepared(room, match));
           } catch (IllegalArgumentException e) {
             LOG.debug("room={} isn't built in advance: {}", name, e.getMessage());
@@ -159,7 +159,7 @@ final class Takeovers {
             Following.Followed followed = following.usable(room); // before anybody hears of it
             FleetView.Orphan orphan = view.orphans().get(room);
             long lostNs = orphan == null ? clock.getAsLong() : orphan.sinceNs();
-            Room prepared = followed == null ? null : followed.takePrepared(record.settings());
+            FleetRoom prepared = followed == null ? null : followed.takePrepared(record.settings());
             Ownership ownership = prepared == null ? claims.unclaimed() : prepared.ownership();
             Claims.Claim claim = null;
             try {
@@ -194,13 +194,13 @@ final class Takeovers {
       RoomRecord record,
       Claims.Claim claim,
       Following.Followed followed,
-      Room prepared,
+      FleetRoom prepared,
       long lostNs) {
     String name = claim.room();
     long beginNs = clock.getAsLong();
     try {
       Path slots = followed == null ? null : followed.folder();
-      Room room =
+      FleetRoom room =
           prepared == null ? host.prepare(record.settings(), slots, claim.ownership()) : prepared;
       host.takeOver(room, slots);
       LOG.info(
