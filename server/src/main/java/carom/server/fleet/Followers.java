@@ -43,6 +43,10 @@ final class Followers implements AutoCloseable {
   private final FleetNews news;
   private String moving; // a room on its way to another server, or null
   private long movingNs;
+
+  /** How many rooms each server owns and follows in the present turn; null before it is asked. */
+  private Map<Long, Integer> burdens;
+
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
   Followers(
@@ -95,7 +99,7 @@ final class Followers implements AutoCloseable {
         continue;
       }
       if (draining && claim.movesTo == 0) {
-        ServerRecord best = best(claim);
+        ServerRecord best = best(claim, burdens());
         claim.movesTo = best == null ? 0 : best.lease();
       }
       if (claim.movesTo != 0 && !view.servers().containsKey(claim.movesTo)) {
@@ -153,7 +157,7 @@ final class Followers implements AutoCloseable {
     if (reached && nowNs - claim.followedNs > SLOW_NS) {
       claim.followedNs = nowNs;
       claim.slow = claim.follower;
-      ServerRecord other = best(claim);
+      ServerRecord other = best(claim, burdens());
       if (other != null && other.lease() != claim.follower) {
         LOG.warn(
             "room={} is followed by {} instead of {}, which can't keep up",
@@ -163,7 +167,7 @@ final class Followers implements AutoCloseable {
         follow(claim, room, other);
       }
     } else if (!reached || present.draining()) {
-      follow(claim, room, best(claim));
+      follow(claim, room, best(claim, burdens()));
     }
   }
 
@@ -178,6 +182,8 @@ final class Followers implements AutoCloseable {
       return;
     }
     end(claim);
+    burdens().merge(claim.follower, -1, Integer::sum);
+    burdens().merge(server.lease(), 1, Integer::sum);
     claim.follower = server.lease();
     claim.unasked = false;
     byte[] record = claim.told.getBytes(StandardCharsets.UTF_8);
@@ -223,15 +229,7 @@ final class Followers implements AutoCloseable {
    * Returns the server that follows a room best: the present one, or that with the fewest rooms;
    * one that was too slow for it only if there is no other.
    */
-  private ServerRecord best(Claims.Claim claim) {
-    Map<Long, Integer> rooms = new HashMap<>();
-    for (FleetView.OwnedRoom room : view.rooms().values()) {
-      rooms.merge(room.record().server(), 1, Integer::sum);
-      if (room.record().server() != lease.number()) {
-        rooms.merge(room.record().follower(), 1, Integer::sum);
-      }
-    }
-    claims.all().forEach(own -> rooms.merge(own.follower, 1, Integer::sum));
+  private ServerRecord best(Claims.Claim claim, Map<Long, Integer> rooms) {
     ServerRecord best = null;
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() == lease.number()
@@ -252,6 +250,24 @@ final class Followers implements AutoCloseable {
     return best;
   }
 
+  /** Returns how many rooms each server owns and follows, counted once in a turn. */
+  private Map<Long, Integer> burdens() {
+    burdens = burdens == null ? countBurdens() : burdens;
+    return burdens;
+  }
+
+  private Map<Long, Integer> countBurdens() {
+    Map<Long, Integer> rooms = new HashMap<>();
+    for (FleetView.OwnedRoom room : view.rooms().values()) {
+      rooms.merge(room.record().server(), 1, Integer::sum);
+      if (room.record().server() != lease.number()) {
+        rooms.merge(room.record().follower(), 1, Integer::sum);
+      }
+    }
+    claims.all().forEach(own -> rooms.merge(own.follower, 1, Integer::sum));
+    return rooms;
+  }
+
   /**
    * Begins to move a room. Any thread.
    *
@@ -262,7 +278,7 @@ final class Followers implements AutoCloseable {
   String move(Claims.Claim claim, String server) {
     ServerRecord to = null;
     if (server.isEmpty()) {
-      to = best(claim);
+      to = best(claim, countBurdens());
     } else {
       for (ServerRecord other : view.servers().values()) {
         to = other.name().equals(server) && other.lease() != lease.number() ? other : to;
