@@ -99,6 +99,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private long serverNumber;
   private String serverTold = "";
   private volatile long serverNextNs;
+  private long straysNextNs;
   private long clientsNextNs;
   private long listsNextNs;
   private boolean away;
@@ -146,7 +147,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Returns what hears other servers. */
-  Peers.Inbox inbox() {
+  public Peers.Inbox inbox() {
     return new Peers.Inbox() {
       @Override
       public void take(long server, PeerFrame frame) throws IOException {
@@ -193,7 +194,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    *
    * @param address where they reach this one, {@code host:port}
    */
-  void reachesBy(Peers newPeers, String address) {
+  public void reachesBy(Peers newPeers, String address) {
     peers = newPeers;
     peerAddress = address;
   }
@@ -528,6 +529,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         host.drop(room, "this server doesn't own room " + room.name());
       }
     }
+    if (nowNs - straysNextNs < 0) {
+      return; // the fleet may have ten thousand rooms
+    }
+    straysNextNs = nowNs + SERVER_NS;
     for (Map.Entry<String, FleetView.OwnedRoom> one : view.rooms().entrySet()) {
       FleetView.OwnedRoom owned = one.getValue();
       if (owned.record().server() != lease.number() || claims.of(one.getKey()) != null) {
