@@ -44,7 +44,7 @@ final class Followers implements AutoCloseable {
   private String moving; // a room on its way to another server, or null
   private long movingNs;
 
-  /** How many rooms each server owns and follows in the present turn; null before it is asked. */
+  /** Rooms that each server owns and follows, as counted in the present turn; null before. */
   private Map<Long, Integer> burdens;
 
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
