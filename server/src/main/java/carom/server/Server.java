@@ -25,6 +25,7 @@ import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.BotCrew;
 import carom.server.room.FleetDoor;
+import carom.server.room.FleetRoom;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.ChatCommands;
@@ -645,7 +646,8 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   }
 
   @Override
-  public void takeOver(Room room, Path slots) {
+  public void takeOver(FleetRoom prepared, Path slots) {
+    Room room = (Room) prepared;
     synchronized (roomCommands) {
       RoomConfig.places(settingsWith(null, room.settings()));
     }
@@ -691,7 +693,8 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   }
 
   @Override
-  public void forget(Room room) {
+  public void forget(FleetRoom owned) {
+    Room room = (Room) owned;
     synchronized (roomCommands) {
       synchronized (rooms) {
         rooms.remove(room);
@@ -705,7 +708,8 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   }
 
   @Override
-  public void drop(Room room, String why) {
+  public void drop(FleetRoom owned, String why) {
+    Room room = (Room) owned;
     synchronized (roomCommands) {
       synchronized (rooms) {
         rooms.remove(room);

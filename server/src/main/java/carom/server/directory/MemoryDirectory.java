@@ -1,9 +1,11 @@
 package carom.server.directory;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.PriorityQueue;
 import java.util.TreeMap;
 import java.util.function.LongSupplier;
 
@@ -17,9 +19,14 @@ public final class MemoryDirectory {
 
   private record Lease(int ttlMs, long endNs) {}
 
+  /** When a lease ends unless it is renewed. */
+  private record LeaseEnd(long endNs, long lease) {}
+
   private final LongSupplier clock;
   private final TreeMap<String, DirectoryEntry> entries = new TreeMap<>();
   private final Map<Long, Lease> leases = new HashMap<>();
+  private final PriorityQueue<LeaseEnd> ends =
+      new PriorityQueue<>(Comparator.comparingLong(LeaseEnd::endNs));
   private final List<Door> doors = new ArrayList<>();
   private long lastNumber;
   private long calls;
@@ -43,9 +50,11 @@ public final class MemoryDirectory {
   /** Ends the leases whose time is over. */
   public synchronized void tick() {
     long nowNs = clock.getAsLong();
-    for (long lease : new ArrayList<>(leases.keySet())) {
-      if (nowNs - leases.get(lease).endNs >= 0) {
-        end(lease);
+    while (!ends.isEmpty() && nowNs - ends.peek().endNs >= 0) {
+      LeaseEnd due = ends.poll();
+      Lease lease = leases.get(due.lease);
+      if (lease != null && lease.endNs == due.endNs) { // it wasn't renewed
+        end(due.lease);
       }
     }
   }
@@ -57,12 +66,24 @@ public final class MemoryDirectory {
 
   private void end(long lease) {
     leases.remove(lease);
-    entries.values().removeIf(entry -> entry.lease() == lease);
-    tell();
+    List<String> gone = new ArrayList<>();
+    for (DirectoryEntry entry : entries.values()) {
+      if (entry.lease() == lease) {
+        gone.add(entry.key());
+      }
+    }
+    gone.forEach(entries::remove);
+    gone.forEach(this::tell);
   }
 
-  private void tell() {
-    new ArrayList<>(doors).forEach(Door::tell);
+  private void tell(String key) {
+    new ArrayList<>(doors).forEach(door -> door.tell(key));
+  }
+
+  private void put(long lease, int ttlMs) {
+    long endNs = clock.getAsLong() + ttlMs * NS_PER_MS;
+    leases.put(lease, new Lease(ttlMs, endNs));
+    ends.add(new LeaseEnd(endNs, lease));
   }
 
   private List<DirectoryEntry> under(String prefix) {
@@ -82,16 +103,21 @@ public final class MemoryDirectory {
     public void away(boolean nowAway) {
       synchronized (MemoryDirectory.this) {
         isAway = nowAway;
-        tell();
-        if (!isAway) {
-          new ArrayList<>(watches).forEach(Watch::complete);
+        for (Watch watch : isAway ? List.<Watch>of() : new ArrayList<>(watches)) {
+          watch.all(under(watch.prefix));
+          watch.complete();
         }
       }
     }
 
-    private void tell() {
-      if (!isAway) {
-        new ArrayList<>(watches).forEach(watch -> watch.all(under(watch.prefix)));
+    private void tell(String key) {
+      for (Watch watch : isAway ? List.<Watch>of() : new ArrayList<>(watches)) {
+        DirectoryEntry entry = entries.get(key); // a watcher may have changed it again
+        if (key.startsWith(watch.prefix) && entry != null) {
+          watch.present(entry);
+        } else if (key.startsWith(watch.prefix)) {
+          watch.gone(key);
+        }
       }
     }
 
@@ -108,7 +134,7 @@ public final class MemoryDirectory {
       EntryLimits.checkTtl(ttlMs);
       synchronized (MemoryDirectory.this) {
         begin();
-        leases.put(++lastNumber, new Lease(ttlMs, clock.getAsLong() + ttlMs * NS_PER_MS));
+        put(++lastNumber, ttlMs);
         return lastNumber;
       }
     }
@@ -117,11 +143,11 @@ public final class MemoryDirectory {
     public boolean renew(long lease) throws DirectoryException {
       synchronized (MemoryDirectory.this) {
         begin();
-        long nowNs = clock.getAsLong();
-        Lease renewed =
-            leases.computeIfPresent(
-                lease, (number, old) -> new Lease(old.ttlMs, nowNs + old.ttlMs * NS_PER_MS));
-        return renewed != null;
+        Lease old = leases.get(lease);
+        if (old != null) {
+          put(lease, old.ttlMs);
+        }
+        return old != null;
       }
     }
 
@@ -144,7 +170,7 @@ public final class MemoryDirectory {
         }
         long number = ++lastNumber;
         entries.put(key, new DirectoryEntry(key, value, number, lease));
-        MemoryDirectory.this.tell();
+        MemoryDirectory.this.tell(key);
         return number;
       }
     }
@@ -174,7 +200,7 @@ public final class MemoryDirectory {
           return false;
         }
         entries.put(key, new DirectoryEntry(key, value, number, entry.lease()));
-        MemoryDirectory.this.tell();
+        MemoryDirectory.this.tell(key);
         return true;
       }
     }
@@ -189,7 +215,7 @@ public final class MemoryDirectory {
           return false;
         }
         entries.remove(key);
-        MemoryDirectory.this.tell();
+        MemoryDirectory.this.tell(key);
         return true;
       }
     }

@@ -1,7 +1,7 @@
 package carom.server.fleet;
 
 import carom.server.metrics.Figure;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -129,7 +129,7 @@ public final class FleetFigures {
   private final CountedDirectory directory;
   private final FleetNews news;
   private final LongSupplier clock;
-  private final Supplier<List<Room>> rooms;
+  private final Supplier<List<? extends FleetRoom>> rooms;
 
   /**
    * Creates figures of a member's parts.
@@ -145,7 +145,7 @@ public final class FleetFigures {
       CountedDirectory directory,
       FleetNews news,
       LongSupplier clock,
-      Supplier<List<Room>> rooms) {
+      Supplier<List<? extends FleetRoom>> rooms) {
     this.view = view;
     this.claims = claims;
     this.following = following;
@@ -218,7 +218,7 @@ public final class FleetFigures {
   /** Returns how many ticks the follower may lack, for each room of this server that has one. */
   public Map<String, Integer> lags() {
     Map<String, Integer> lags = new TreeMap<>();
-    for (Room room : rooms.get()) {
+    for (FleetRoom room : rooms.get()) {
       if (room.isFollowed()) {
         lags.put(room.name(), room.followerLag());
       }

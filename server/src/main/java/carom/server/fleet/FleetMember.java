@@ -9,9 +9,8 @@ import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
 import carom.server.directory.DirectoryException;
-import carom.server.metrics.Counter;
 import carom.server.room.FleetDoor;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import carom.server.room.RoomOffer;
 import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
@@ -100,6 +99,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private long serverNumber;
   private String serverTold = "";
   private volatile long serverNextNs;
+  private long straysNextNs;
   private long clientsNextNs;
   private long listsNextNs;
   private boolean away;
@@ -147,7 +147,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Returns what hears other servers. */
-  Peers.Inbox inbox() {
+  public Peers.Inbox inbox() {
     return new Peers.Inbox() {
       @Override
       public void take(long server, PeerFrame frame) throws IOException {
@@ -194,7 +194,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    *
    * @param address where they reach this one, {@code host:port}
    */
-  void reachesBy(Peers newPeers, String address) {
+  public void reachesBy(Peers newPeers, String address) {
     peers = newPeers;
     peerAddress = address;
   }
@@ -322,7 +322,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         bury();
         takeovers.turn(nowNs, draining); // at once: their players wait
         tellServer(nowNs);
-        Map<String, Room> rooms = new HashMap<>();
+        Map<String, FleetRoom> rooms = new HashMap<>();
         host.rooms().forEach(room -> rooms.put(room.name(), room));
         if (!draining) {
           balance(host.rooms(), nowNs);
@@ -366,7 +366,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       lease.renewed(lease.number(), askedNs);
       renewNs = askedNs + RENEW_NS;
       if (!held && host != null) {
-        host.rooms().forEach(Room::ownershipChanged); // they stand still, and sleep
+        host.rooms().forEach(FleetRoom::ownershipChanged); // they stand still, and sleep
       }
       return;
     }
@@ -383,13 +383,13 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       }
     }
     if (host != null) {
-      host.rooms().forEach(Room::ownershipChanged);
+      host.rooms().forEach(FleetRoom::ownershipChanged);
     }
   }
 
   private void lose(Claims.Claim claim) {
     claims.lose(claim);
-    Room room = host == null ? null : host.room(claim.room());
+    FleetRoom room = host == null ? null : host.room(claim.room());
     if (room != null) {
       host.drop(room, "another server owns room " + claim.room());
     }
@@ -433,16 +433,12 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Returns the part of this server's processors that the ticks of rooms take, percent. */
-  private double share(List<Room> rooms) {
+  private double share(List<? extends FleetRoom> rooms) {
     double share = 0;
-    for (Room room : rooms) {
-      share += load(room) / (double) settings.processors();
+    for (FleetRoom room : rooms) {
+      share += room.loadPercent() / (double) settings.processors();
     }
     return Math.min(Balance.FULL_PERCENT, share);
-  }
-
-  private static int load(Room room) {
-    return (int) room.counters().get(Counter.LOAD_PERCENT);
   }
 
   private static int stepped(double load, int step) {
@@ -450,14 +446,14 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Gives a room to a server that has less to do, if this one has much to do. */
-  private void balance(List<Room> rooms, long nowNs) {
+  private void balance(List<? extends FleetRoom> rooms, long nowNs) {
     Map<String, Double> loads = new HashMap<>();
-    for (Room room : rooms) {
+    for (FleetRoom room : rooms) {
       Claims.Claim claim = claims.of(room.name());
       if (claim != null && claim.movesTo != 0) {
         return; // one at a time
       }
-      loads.put(room.name(), load(room) / (double) settings.processors());
+      loads.put(room.name(), room.loadPercent() / (double) settings.processors());
     }
     List<ServerRecord> others = new ArrayList<>();
     for (ServerRecord server : view.servers().values()) {
@@ -476,7 +472,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Tells the directory what has changed in the rooms, and releases those that are gone. */
-  private void tellRooms(Map<String, Room> rooms, long nowNs) throws DirectoryException {
+  private void tellRooms(Map<String, FleetRoom> rooms, long nowNs) throws DirectoryException {
     for (Claims.Claim claim : claims.all()) {
       if (clock.getAsLong() - renewNs >= 0 || !dead.isEmpty()) {
         return; // where the directory is slow, the lease comes first, and rooms without an owner
@@ -484,7 +480,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (nowNs - claim.nextNs < 0 || claim.handedOver) {
         continue;
       }
-      Room room = rooms.get(claim.room());
+      FleetRoom room = rooms.get(claim.room());
       if (room == null || room.hasFailed()) {
         if (claim.nextNs != 0) { // it was there, and is gone
           claims.release(claim);
@@ -497,11 +493,11 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
               lease.number(),
               room.isFollowed() ? claim.follower : 0,
               false,
-              stepped(load(room), LOAD_STEP),
+              stepped(room.loadPercent(), LOAD_STEP),
               room.isFollowed()
                   ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
                   : 0,
-              room.seats().parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
+              room.parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
               accountsOf(room),
               room.offer().skill(),
               room.settings(),
@@ -517,13 +513,10 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     }
   }
 
-  private List<String> accountsOf(Room room) {
+  private List<String> accountsOf(FleetRoom room) {
     return !settings.limitsSeats()
         ? List.of()
-        : room.seats().accounts().stream()
-            .limit(RoomRecord.MAX_ACCOUNTS)
-            .map(RoomRecord::hashed)
-            .toList();
+        : room.accounts().stream().limit(RoomRecord.MAX_ACCOUNTS).map(RoomRecord::hashed).toList();
   }
 
   /**
@@ -531,11 +524,15 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    * claims of which it never heard that they were made, because the directory's answer was lost.
    */
   private void forgetStrays(long nowNs) throws DirectoryException {
-    for (Room room : host.rooms()) {
+    for (FleetRoom room : host.rooms()) {
       if (claims.of(room.name()) == null && !room.isClosed()) {
         host.drop(room, "this server doesn't own room " + room.name());
       }
     }
+    if (nowNs - straysNextNs < 0) {
+      return; // the fleet may have ten thousand rooms
+    }
+    straysNextNs = nowNs + SERVER_NS;
     for (Map.Entry<String, FleetView.OwnedRoom> one : view.rooms().entrySet()) {
       FleetView.OwnedRoom owned = one.getValue();
       if (owned.record().server() != lease.number() || claims.of(one.getKey()) != null) {
@@ -549,7 +546,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   }
 
   /** Tells the clients where to go if this server is lost. */
-  private void tellClients(Map<String, Room> rooms, long nowNs) {
+  private void tellClients(Map<String, FleetRoom> rooms, long nowNs) {
     if (nowNs - clientsNextNs < 0) {
       return;
     }
@@ -565,7 +562,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         }
       }
       for (Claims.Claim claim : claims.all()) {
-        Room room = rooms.get(claim.room());
+        FleetRoom room = rooms.get(claim.room());
         ServerRecord follower = view.servers().get(claim.follower);
         boolean stands = follower != null && room != null && room.isFollowed();
         ServerMessage.Fleet message =

@@ -37,7 +37,14 @@ final class FleetView {
    * @param record what the owner told last
    * @param claim number of its claim
    */
-  record OwnedRoom(RoomRecord record, long claim) {}
+  record OwnedRoom(RoomRecord record, long claim) {
+    /** Returns whether a server must look now: what lists show changes often, and can wait. */
+    private boolean differs(RoomRecord before) {
+      return record.leaving() != before.leaving()
+          || record.isBuilt() != before.isBuilt()
+          || record.follower() != before.follower();
+    }
+  }
 
   private final LongSupplier clock;
   private final Runnable changed;
@@ -49,7 +56,8 @@ final class FleetView {
   /**
    * Creates a view that begins to listen.
    *
-   * @param changed told after each change, on the directory's thread; returns at once
+   * @param changed told after each change that can't wait for the next turn, on the directory's
+   *     thread; returns at once
    * @param news told of servers that come and go
    */
   FleetView(Directory directory, LongSupplier clock, Runnable changed, FleetNews news) {
@@ -89,10 +97,13 @@ final class FleetView {
       try {
         long lease = Long.parseLong(entry.key().substring(ServerRecord.PREFIX.length()));
         ServerRecord server = ServerRecord.parse(lease, entry.value());
-        if (servers.put(lease, server) == null) {
+        ServerRecord before = servers.put(lease, server);
+        if (before == null) {
           news.came(server);
         }
-        changed.run();
+        if (before == null || before.draining() != server.draining()) {
+          changed.run();
+        }
       } catch (IOException | NumberFormatException e) {
         LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
       }
@@ -123,9 +134,12 @@ final class FleetView {
     public void present(DirectoryEntry entry) {
       String room = entry.key().substring(RoomRecord.PREFIX.length());
       try {
-        rooms.put(room, new OwnedRoom(RoomRecord.parse(entry.value()), entry.number()));
+        OwnedRoom owned = new OwnedRoom(RoomRecord.parse(entry.value()), entry.number());
+        OwnedRoom before = rooms.put(room, owned);
         orphans.remove(room);
-        changed.run();
+        if (before == null || before.claim() != owned.claim() || owned.differs(before.record())) {
+          changed.run();
+        }
       } catch (IOException e) {
         LOG.warn("fleet: the entry {} can't be read: {}", entry.key(), e.getMessage());
       }

@@ -3,7 +3,7 @@ package carom.server.fleet;
 import carom.server.checkpoint.SlotDisk;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.DirectoryException;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -43,6 +43,10 @@ final class Followers implements AutoCloseable {
   private final FleetNews news;
   private String moving; // a room on its way to another server, or null
   private long movingNs;
+
+  /** Rooms that each server owns and follows, as counted in the present turn; null before. */
+  private Map<Long, Integer> burdens;
+
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
   Followers(
@@ -69,7 +73,8 @@ final class Followers implements AutoCloseable {
    *
    * @param rooms of this server, by name
    */
-  void turn(Map<String, Room> rooms, boolean draining, long nowNs) {
+  void turn(Map<String, FleetRoom> rooms, boolean draining, long nowNs) {
+    burdens = null;
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() != lease.number()) {
         peers.reach(server);
@@ -89,12 +94,12 @@ final class Followers implements AutoCloseable {
     all.sort(Comparator.comparing(claim -> -players(rooms.get(claim.room()))));
     boolean crowded = !all.isEmpty() && players(rooms.get(all.get(0).room())) > 0;
     for (Claims.Claim claim : all) {
-      Room room = rooms.get(claim.room());
+      FleetRoom room = rooms.get(claim.room());
       if (room == null || claim.handedOver) {
         continue;
       }
       if (draining && claim.movesTo == 0) {
-        ServerRecord best = best(claim);
+        ServerRecord best = best(claim, burdens());
         claim.movesTo = best == null ? 0 : best.lease();
       }
       if (claim.movesTo != 0 && !view.servers().containsKey(claim.movesTo)) {
@@ -113,8 +118,8 @@ final class Followers implements AutoCloseable {
     }
   }
 
-  private static int players(Room room) {
-    return room == null ? 0 : room.seats().takenCount();
+  private static int players(FleetRoom room) {
+    return room == null ? 0 : room.players();
   }
 
   /**
@@ -133,7 +138,7 @@ final class Followers implements AutoCloseable {
     return moving != null;
   }
 
-  private void findFollower(Claims.Claim claim, Room room, long nowNs) {
+  private void findFollower(Claims.Claim claim, FleetRoom room, long nowNs) {
     ServerRecord present = view.servers().get(claim.follower);
     boolean reached = present != null && peers.isReached(present.lease()) && !claim.unasked;
     if (claim.movesTo != 0) {
@@ -152,7 +157,7 @@ final class Followers implements AutoCloseable {
     if (reached && nowNs - claim.followedNs > SLOW_NS) {
       claim.followedNs = nowNs;
       claim.slow = claim.follower;
-      ServerRecord other = best(claim);
+      ServerRecord other = best(claim, burdens());
       if (other != null && other.lease() != claim.follower) {
         LOG.warn(
             "room={} is followed by {} instead of {}, which can't keep up",
@@ -162,12 +167,12 @@ final class Followers implements AutoCloseable {
         follow(claim, room, other);
       }
     } else if (!reached || present.draining()) {
-      follow(claim, room, best(claim));
+      follow(claim, room, best(claim, burdens()));
     }
   }
 
   /** Lets a server follow a room, or nobody. */
-  private void follow(Claims.Claim claim, Room room, ServerRecord server) {
+  private void follow(Claims.Claim claim, FleetRoom room, ServerRecord server) {
     if (server == null || !peers.isReached(server.lease())) {
       if (claim.follower != 0) {
         end(claim);
@@ -177,6 +182,8 @@ final class Followers implements AutoCloseable {
       return;
     }
     end(claim);
+    burdens().merge(claim.follower, -1, Integer::sum);
+    burdens().merge(server.lease(), 1, Integer::sum);
     claim.follower = server.lease();
     claim.unasked = false;
     byte[] record = claim.told.getBytes(StandardCharsets.UTF_8);
@@ -222,15 +229,7 @@ final class Followers implements AutoCloseable {
    * Returns the server that follows a room best: the present one, or that with the fewest rooms;
    * one that was too slow for it only if there is no other.
    */
-  private ServerRecord best(Claims.Claim claim) {
-    Map<Long, Integer> rooms = new HashMap<>();
-    for (FleetView.OwnedRoom room : view.rooms().values()) {
-      rooms.merge(room.record().server(), 1, Integer::sum);
-      if (room.record().server() != lease.number()) {
-        rooms.merge(room.record().follower(), 1, Integer::sum);
-      }
-    }
-    claims.all().forEach(own -> rooms.merge(own.follower, 1, Integer::sum));
+  private ServerRecord best(Claims.Claim claim, Map<Long, Integer> rooms) {
     ServerRecord best = null;
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() == lease.number()
@@ -251,6 +250,24 @@ final class Followers implements AutoCloseable {
     return best;
   }
 
+  /** Returns how many rooms each server owns and follows, counted once in a turn. */
+  private Map<Long, Integer> burdens() {
+    burdens = burdens == null ? countBurdens() : burdens;
+    return burdens;
+  }
+
+  private Map<Long, Integer> countBurdens() {
+    Map<Long, Integer> rooms = new HashMap<>();
+    for (FleetView.OwnedRoom room : view.rooms().values()) {
+      rooms.merge(room.record().server(), 1, Integer::sum);
+      if (room.record().server() != lease.number()) {
+        rooms.merge(room.record().follower(), 1, Integer::sum);
+      }
+    }
+    claims.all().forEach(own -> rooms.merge(own.follower, 1, Integer::sum));
+    return rooms;
+  }
+
   /**
    * Begins to move a room. Any thread.
    *
@@ -261,7 +278,7 @@ final class Followers implements AutoCloseable {
   String move(Claims.Claim claim, String server) {
     ServerRecord to = null;
     if (server.isEmpty()) {
-      to = best(claim);
+      to = best(claim, countBurdens());
     } else {
       for (ServerRecord other : view.servers().values()) {
         to = other.name().equals(server) && other.lease() != lease.number() ? other : to;
@@ -277,7 +294,7 @@ final class Followers implements AutoCloseable {
     return to.name();
   }
 
-  private void handOver(Claims.Claim claim, Room room) {
+  private void handOver(Claims.Claim claim, FleetRoom room) {
     claim.handedOver = true;
     long to = claim.movesTo;
     ServerRecord server = view.servers().get(to);
@@ -304,7 +321,7 @@ final class Followers implements AutoCloseable {
   }
 
   /** Gives a room that has ended here to its follower, who has all of it by then. */
-  private void giveAway(Claims.Claim claim, Room room, long to) {
+  private void giveAway(Claims.Claim claim, FleetRoom room, long to) {
     try {
       SlotDisk disk = disks.get(to);
       if (disk == null || !disk.flush()) {

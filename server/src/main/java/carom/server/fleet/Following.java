@@ -3,7 +3,7 @@ package carom.server.fleet;
 import carom.server.checkpoint.SlotLink;
 import carom.server.checkpoint.SlotMirror;
 import carom.server.config.RoomConfig;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -27,7 +27,7 @@ final class Following {
    * @param room has no owner yet; null if it can't be built
    * @param match number of the match that it is built for
    */
-  record Prepared(Room room, int match) {}
+  record Prepared(FleetRoom room, int match) {}
 
   /** A room that is followed. */
   static final class Followed {
@@ -75,10 +75,10 @@ final class Following {
     }
 
     /** Returns the room of these settings that was built in advance, once; null for none. */
-    Room takePrepared(RoomConfig settings) {
+    FleetRoom takePrepared(RoomConfig settings) {
       Prepared present = prepared;
       prepared = null;
-      Room room = present == null ? null : present.room;
+      FleetRoom room = present == null ? null : present.room;
       return room != null && room.settings().equals(settings) ? room : null;
     }
 

@@ -19,11 +19,11 @@ import java.io.UncheckedIOException;
  * @param bytes the rest
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared
-record PeerFrame(Kind kind, long number, String room, int step, int slot, byte[] bytes) {
+public record PeerFrame(Kind kind, long number, String room, int step, int slot, byte[] bytes) {
   private static final byte[] NOTHING = {};
 
   /** The kinds of frames. */
-  enum Kind {
+  public enum Kind {
     /** Says who the sender is: number is its lease. The first frame of each side. */
     HELLO,
     /** Asks to follow a room: number is its claim, the bytes are its record. */

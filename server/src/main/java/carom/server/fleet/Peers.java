@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.Set;
 
 /** The links of a server to the others of its fleet. */
-interface Peers extends AutoCloseable {
+public interface Peers extends AutoCloseable {
 
   /** Hears what comes from other servers. Any thread, but one for each server. */
   interface Inbox {

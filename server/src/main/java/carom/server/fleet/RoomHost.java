@@ -1,23 +1,23 @@
 package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import carom.server.session.Ownership;
 import java.nio.file.Path;
 import java.util.List;
 
-/** The server whose rooms a fleet gives and takes. Any thread. */
+/** The server whose rooms a fleet gives and takes, all of which it has built. Any thread. */
 public interface RoomHost {
 
   /** Returns the rooms; the list is live. */
-  List<Room> rooms();
+  List<? extends FleetRoom> rooms();
 
   /** Returns whether threads drive the rooms. */
   boolean hasThreads();
 
   /** Returns the room of a name, or null. */
-  default Room room(String name) {
-    for (Room room : rooms()) {
+  default FleetRoom room(String name) {
+    for (FleetRoom room : rooms()) {
       if (room.name().equals(name)) {
         return room;
       }
@@ -34,7 +34,7 @@ public interface RoomHost {
    * @param ownership whether this server owns the room
    * @throws IllegalArgumentException if it can't be played here; the message says why
    */
-  Room prepare(RoomConfig settings, Path slots, Ownership ownership);
+  FleetRoom prepare(RoomConfig settings, Path slots, Ownership ownership);
 
   /**
    * Adds a room that this server owns by now.
@@ -43,14 +43,14 @@ public interface RoomHost {
    * @param slots as above
    * @throws IllegalArgumentException if it can't be played here; the message says why
    */
-  void takeOver(Room room, Path slots);
+  void takeOver(FleetRoom room, Path slots);
 
   /**
    * Drops a room that another server owns. Its links are closed without a word, because its clients
    * must not take any of this server's for the owner's.
    */
-  void drop(Room room, String why);
+  void drop(FleetRoom room, String why);
 
   /** Removes a room that was handed over, and closes its links when its clients have gone on. */
-  void forget(Room room);
+  void forget(FleetRoom room);
 }

@@ -21,7 +21,7 @@ import java.util.List;
  * @param lookers players who look for players about as good there, at most {@value #MAX_LOOKERS}
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
-record ServerRecord(
+public record ServerRecord(
     long lease,
     String name,
     String address,

@@ -2,7 +2,7 @@ package carom.server.fleet;
 
 import carom.server.config.RoomConfig;
 import carom.server.directory.DirectoryException;
-import carom.server.room.Room;
+import carom.server.room.FleetRoom;
 import carom.server.session.Ownership;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -126,7 +126,7 @@ final class Takeovers {
         () -> {
           int match = followed.match();
           try {
-            Room room = host.prepare(settings, followed.folder(), claims.unclaimed());
+            FleetRoom room = host.prepare(settings, followed.folder(), claims.unclaimed());
             followed.prepared(new Following.Prepared(room, match));
           } catch (IllegalArgumentException e) {
             LOG.debug("room={} isn't built in advance: {}", name, e.getMessage());
@@ -139,13 +139,15 @@ final class Takeovers {
 
   /** Adds the rooms that have lost their owner, if it is this server's turn to go on with them. */
   private void findOrphans(long nowNs, Map<String, RoomRecord> due) {
-    for (Map.Entry<String, FleetView.Orphan> one : view.orphans().entrySet()) {
+    Map<String, FleetView.Orphan> orphans = view.orphans();
+    List<Long> able = orphans.isEmpty() ? List.of() : able();
+    for (Map.Entry<String, FleetView.Orphan> one : orphans.entrySet()) {
       FleetView.Orphan orphan = one.getValue();
       boolean ownerIsGone =
           orphan.record().leaving() || !view.servers().containsKey(orphan.record().server());
       boolean restIsHere =
           !following.hears(orphan.record().server()) || nowNs - orphan.sinceNs() >= REST_NS;
-      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= patienceNs(orphan)) {
+      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= patienceNs(orphan, able)) {
         due.put(one.getKey(), orphan.record());
       }
     }
@@ -159,7 +161,7 @@ final class Takeovers {
             Following.Followed followed = following.usable(room); // before anybody hears of it
             FleetView.Orphan orphan = view.orphans().get(room);
             long lostNs = orphan == null ? clock.getAsLong() : orphan.sinceNs();
-            Room prepared = followed == null ? null : followed.takePrepared(record.settings());
+            FleetRoom prepared = followed == null ? null : followed.takePrepared(record.settings());
             Ownership ownership = prepared == null ? claims.unclaimed() : prepared.ownership();
             Claims.Claim claim = null;
             try {
@@ -194,13 +196,13 @@ final class Takeovers {
       RoomRecord record,
       Claims.Claim claim,
       Following.Followed followed,
-      Room prepared,
+      FleetRoom prepared,
       long lostNs) {
     String name = claim.room();
     long beginNs = clock.getAsLong();
     try {
       Path slots = followed == null ? null : followed.folder();
-      Room room =
+      FleetRoom room =
           prepared == null ? host.prepare(record.settings(), slots, claim.ownership()) : prepared;
       host.takeOver(room, slots);
       LOG.info(
@@ -233,32 +235,30 @@ final class Takeovers {
     }
   }
 
-  /** Returns how long this server lets others go on with a room, ns. */
-  private long patienceNs(FleetView.Orphan orphan) {
+  /**
+   * Returns how long this server lets others go on with a room, ns.
+   *
+   * @param able the servers that may, as {@link #able} returns them
+   */
+  private long patienceNs(FleetView.Orphan orphan, List<Long> able) {
     long follower = orphan.record().follower();
     boolean waits = follower != lease.number() && view.servers().containsKey(follower);
-    return rank(orphan) * RANK_NS + (waits ? FOLLOWER_NS : 0);
+    int self = able.indexOf(lease.number());
+    int first = able.indexOf(follower); // the others move on by one
+    int rank = self < 0 ? able.size() : self == first ? 0 : self < first ? self + 1 : self;
+    return rank * RANK_NS + (waits ? FOLLOWER_NS : 0);
   }
 
-  /** Returns this server's place among those that may take a room over, the best first. */
-  private int rank(FleetView.Orphan orphan) {
-    List<ServerRecord> able = new ArrayList<>();
+  /** Returns the servers that may take rooms over, those with the fewest rooms first. */
+  private List<Long> able() {
     Map<Long, Integer> owned = new HashMap<>();
     view.rooms().values().forEach(room -> owned.merge(room.record().server(), 1, Integer::sum));
-    for (ServerRecord server : view.servers().values()) {
-      if (!server.draining()) {
-        able.add(server);
-      }
-    }
-    able.sort(
-        Comparator.comparing((ServerRecord s) -> s.lease() != orphan.record().follower())
-            .thenComparing(s -> owned.getOrDefault(s.lease(), 0))
-            .thenComparing(ServerRecord::lease));
-    for (int i = 0; i < able.size(); i++) {
-      if (able.get(i).lease() == lease.number()) {
-        return i;
-      }
-    }
-    return able.size();
+    return view.servers().values().stream()
+        .filter(server -> !server.draining())
+        .map(ServerRecord::lease)
+        .sorted(
+            Comparator.comparing((Long server) -> owned.getOrDefault(server, 0))
+                .thenComparing(Comparator.naturalOrder()))
+        .toList();
   }
 }

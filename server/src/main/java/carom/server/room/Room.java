@@ -33,6 +33,7 @@ import carom.sim.entity.HostEntity;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
@@ -61,7 +62,7 @@ import java.util.function.Supplier;
  * the steady state allocates next to nothing. A client can hurt only its own session, and a game
  * only its own room: rooms share nothing that changes.
  */
-public final class Room {
+public final class Room implements FleetRoom {
   /** Number of ticks that send snapshots, the last ones, when several are made good in one turn. */
   private static final int MAX_SENDS_PER_BURST = 2;
 
@@ -238,25 +239,19 @@ public final class Room {
     parts.changes.beginJournal(checkpoints, parts.clock.getAsLong());
   }
 
-  /** Returns whether another server could go on with the room now; from any thread. */
+  @Override
   public boolean isFollowed() {
     RoomCheckpoints follower = parts.journals.follower();
     return follower != null && follower.isSafe();
   }
 
-  /**
-   * Returns how many ticks the room's follower may lack, to within the second between two states;
-   * from any thread.
-   */
+  @Override
   public int followerLag() {
     RoomCheckpoints follower = parts.journals.follower();
     return follower == null ? 0 : follower.uncertainBlocks();
   }
 
-  /**
-   * Returns how many ticks of its journal the room couldn't compute again when it went on from one;
-   * from any thread.
-   */
+  @Override
   public int lostTicks() {
     return parts.changes.lostTicks();
   }
@@ -278,15 +273,7 @@ public final class Room {
         parts.sessions.bySeat());
   }
 
-  /**
-   * Sends the room's journal to another server from its next turn on, which can go on with the
-   * room; or ends that. Any thread.
-   *
-   * @param disk sends; stays the caller's to close, after this room
-   * @param link takes the journal there; null for none
-   * @param seconds time between whole states, s
-   * @param waits whether the room tells a tick only when the other server has it
-   */
+  @Override
   public void followedBy(SlotDisk disk, SlotLink link, int seconds, boolean waits) {
     next.set(
         () -> {
@@ -310,13 +297,7 @@ public final class Room {
     wake.run();
   }
 
-  /**
-   * Ends the room in its next turn without a word to its players, because another server goes on
-   * with it; its journals get the last tick. Any thread.
-   *
-   * @param where leads to that server, by the doors of clients; null where it can't be told
-   * @param ended told when the room has ended, for this reason or another, on the room's thread
-   */
+  @Override
   public void handOver(Function<Link.Door, ServerMessage.Redirect> where, Runnable ended) {
     next.set(
         () -> {
@@ -515,7 +496,7 @@ public final class Room {
     end.closeHandedOver();
   }
 
-  /** Returns whether the room has ended; from any thread. */
+  @Override
   public boolean isClosed() {
     return end.isClosed();
   }
@@ -547,7 +528,7 @@ public final class Room {
     return number;
   }
 
-  /** Returns the name by which players find the room; from any thread. */
+  @Override
   public String name() {
     return settings.name();
   }
@@ -557,7 +538,7 @@ public final class Room {
     return !context.label().isEmpty();
   }
 
-  /** Returns the room's settings; from any thread. */
+  @Override
   public RoomConfig settings() {
     return settings;
   }
@@ -567,7 +548,7 @@ public final class Room {
     return context.match().info();
   }
 
-  /** Returns what a list of rooms says about this one; from any thread. */
+  @Override
   public ServerMessage.RoomEntry entry() {
     MatchInfo match = match();
     return new ServerMessage.RoomEntry(
@@ -581,7 +562,27 @@ public final class Room {
         settings.metadata());
   }
 
-  /** Returns what newcomers who name no room are told by; from any thread. */
+  @Override
+  public int players() {
+    return seats().takenCount();
+  }
+
+  @Override
+  public Set<String> parties() {
+    return seats().parties();
+  }
+
+  @Override
+  public Set<String> accounts() {
+    return seats().accounts();
+  }
+
+  @Override
+  public int loadPercent() {
+    return (int) counters().get(Counter.LOAD_PERCENT);
+  }
+
+  @Override
   public RoomOffer offer() {
     MatchInfo match = match();
     return new RoomOffer(
@@ -596,14 +597,12 @@ public final class Room {
     return context.age();
   }
 
-  /** Returns the last tick of the present match that was computed; from any thread. */
+  @Override
   public int tick() {
     return ticks.tick();
   }
 
-  /**
-   * Returns whether the room closed itself because of an error, see {@link #fail}; from any thread.
-   */
+  @Override
   public boolean hasFailed() {
     return end.hasFailed();
   }
@@ -616,12 +615,12 @@ public final class Room {
     return paused;
   }
 
-  /** Returns whether the server owns the room; from any thread. */
+  @Override
   public Ownership ownership() {
     return context.ownership();
   }
 
-  /** Makes the room's thread look again whether it owns the room; from any thread. */
+  @Override
   public void ownershipChanged() {
     wake.run();
   }
@@ -636,7 +635,7 @@ public final class Room {
     return context.counters();
   }
 
-  /** Returns the number of ticks per second; from any thread. */
+  @Override
   public int tickRateHz() {
     return context.config().get(ServerConfig.TICK_RATE);
   }

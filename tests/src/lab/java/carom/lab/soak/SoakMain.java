@@ -1,5 +1,6 @@
 package carom.lab.soak;
 
+import carom.lab.fleet.FleetSoak;
 import carom.testkit.Folders;
 import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
@@ -20,6 +21,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "soak",
     mixinStandardHelpOptions = true,
+    subcommands = FleetSoak.class,
     description = "Lets a server and its clients live through whatever a seed does to them.")
 public final class SoakMain implements Callable<Integer> {
   @Option(

@@ -15,6 +15,7 @@ import carom.server.config.ServerConfig;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.directory.MemoryDirectory;
 import carom.server.match.MatchLibrary;
+import carom.server.room.FleetRoom;
 import carom.server.room.Room;
 import carom.server.session.Ownership;
 import java.io.IOException;
@@ -176,6 +177,11 @@ public final class FleetRig implements AutoCloseable {
       member.serves(new SlowHost(server));
     }
 
+    /** Returns a room of the server, or null. */
+    Room room(String name) {
+      return (Room) server.room(name);
+    }
+
     /** Ends the process at once. */
     public void kill() {
       dead = true;
@@ -219,33 +225,33 @@ public final class FleetRig implements AutoCloseable {
     }
 
     @Override
-    public Room prepare(RoomConfig own, Path slots, Ownership ownership) {
+    public FleetRoom prepare(RoomConfig own, Path slots, Ownership ownership) {
       return host.prepare(own, slots, ownership);
     }
 
     @Override
-    public void takeOver(Room room, Path slots) {
+    public void takeOver(FleetRoom room, Path slots) {
       run(takeoverS);
       host.takeOver(room, slots);
     }
 
     @Override
-    public List<Room> rooms() {
+    public List<? extends FleetRoom> rooms() {
       return host.rooms();
     }
 
     @Override
-    public Room room(String name) {
+    public FleetRoom room(String name) {
       return host.room(name);
     }
 
     @Override
-    public void forget(Room room) {
+    public void forget(FleetRoom room) {
       host.forget(room);
     }
 
     @Override
-    public void drop(Room room, String why) {
+    public void drop(FleetRoom room, String why) {
       host.drop(room, why);
     }
 
@@ -394,7 +400,7 @@ public final class FleetRig implements AutoCloseable {
   List<Node> owners(String room) {
     List<Node> owners = new ArrayList<>();
     for (Node node : nodes.values()) {
-      Room one = node.dead ? null : node.server.room(room);
+      Room one = node.dead ? null : node.room(room);
       if (one != null && one.ownership().holds() && !one.isClosed()) {
         owners.add(node);
       }

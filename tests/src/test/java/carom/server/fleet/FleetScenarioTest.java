@@ -102,7 +102,7 @@ class FleetScenarioTest {
           for (FleetRig.Node node : rig.owners(room)) {
             if (seen.add(room)) {
               assertEquals(ticks.get(room), node.server.room(room).tick());
-              assertEquals(hashes.get(room), node.server.room(room).simulation().stateHash(), room);
+              assertEquals(hashes.get(room), node.room(room).simulation().stateHash(), room);
             }
           }
         }
