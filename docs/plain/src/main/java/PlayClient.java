@@ -132,7 +132,7 @@ public class PlayClient extends ApplicationAdapter {
   }
 
   int held(int key) {
-    return Gdx.input.isKeyPressed(key) ? 1 : 0;
+    return Gdx.input.isKeyPressed(key) || Gdx.input.isKeyJustPressed(key) ? 1 : 0; // a short tap counts, too
   }
 
   public void dispose() {

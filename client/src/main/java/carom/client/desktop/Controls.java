@@ -30,13 +30,41 @@ final class Controls {
   private boolean padUsed;
   private boolean lastPad;
 
+  // What was pressed in a picture since the last tick, and whether that is being looked for.
+  private boolean isNoting;
+  private int notedButtons;
+  private float notedX;
+  private float notedY;
+
   /** Creates controls over the keys that the player has chosen. */
   public Controls(KeyMap keys) {
     this.keys = keys;
   }
 
   /**
-   * Reads the devices.
+   * Notes what is pressed, for the next tick: a tap may begin and end between two ticks, and on a
+   * slow machine between two pictures. Call it once per picture, before {@link #sample}.
+   */
+  void note() {
+    Controller pad = pad();
+    isNoting = true;
+    float x = moveX(pad);
+    float y = moveY(pad);
+    notedButtons |= has(Action.Kind.BUTTON) ? buttons(pad) : usualButtons(pad, y);
+    isNoting = false;
+    notedX = x == 0 ? notedX : x;
+    notedY = y == 0 ? notedY : y;
+  }
+
+  /** Forgets what was noted: keys had another meaning meanwhile. */
+  void forget() {
+    notedButtons = 0;
+    notedX = 0;
+    notedY = 0;
+  }
+
+  /**
+   * Reads the devices, together with what was noted since the last call.
    *
    * @param out receives the input
    * @param camera to turn the mouse position into a direction
@@ -45,12 +73,11 @@ final class Controls {
    */
   public void sample(Input out, ViewCamera camera, float x, float y) {
     padUsed = false;
-    Controller pad = Controllers.getCurrent();
-    pad = pad != null && pad.isConnected() ? pad : null;
-    boolean hasX = has(Action.Kind.MOVE_X);
-    boolean hasY = has(Action.Kind.MOVE_Y);
-    float moveX = hasX ? move(Action.Kind.MOVE_X, pad) : usualX(pad);
-    float moveY = hasY ? move(Action.Kind.MOVE_Y, pad) : usualY(pad);
+    Controller pad = pad();
+    float moveX = moveX(pad);
+    float moveY = moveY(pad);
+    moveX = moveX == 0 ? notedX : moveX;
+    moveY = moveY == 0 ? notedY : moveY;
     float length = (float) Math.sqrt(moveX * moveX + moveY * moveY);
     if (length > 1) {
       moveX /= length;
@@ -58,13 +85,41 @@ final class Controls {
     }
     aim(camera, x, y, moveX, moveY, pad);
     out.move(moveX, moveY).aim(aimRad);
-    out.buttons(has(Action.Kind.BUTTON) ? buttons(pad) : usualButtons(pad, moveY));
+    int buttons = has(Action.Kind.BUTTON) ? buttons(pad) : usualButtons(pad, moveY);
+    out.buttons(buttons | notedButtons);
+    forget();
     lastPad = out.buttons() != 0 || length > 0 ? padUsed : lastPad;
   }
 
   /** Returns whether the gamepad was used last, so that hints name its buttons. */
   boolean isPadUsed() {
     return lastPad;
+  }
+
+  private static Controller pad() {
+    Controller pad = Controllers.getCurrent();
+    return pad != null && pad.isConnected() ? pad : null;
+  }
+
+  private float moveX(Controller pad) {
+    return has(Action.Kind.MOVE_X) ? move(Action.Kind.MOVE_X, pad) : usualX(pad);
+  }
+
+  private float moveY(Controller pad) {
+    return has(Action.Kind.MOVE_Y) ? move(Action.Kind.MOVE_Y, pad) : usualY(pad);
+  }
+
+  private boolean isDown(KeyAction action) {
+    return keys.isDown(action) || (isNoting && keys.isTapped(action));
+  }
+
+  private boolean isDown(Action.Binding binding) {
+    return keys.isDown(binding) || (isNoting && keys.isTapped(binding));
+  }
+
+  private boolean isDown(int mouseButton) {
+    return Gdx.input.isButtonPressed(mouseButton)
+        || (isNoting && Gdx.input.isButtonJustPressed(mouseButton));
   }
 
   private boolean has(Action.Kind kind) {
@@ -91,18 +146,14 @@ final class Controls {
   private int usualButtons(Controller pad, float moveY) {
     // One key for what a game does most: games use one of the two.
     boolean both =
-        keys.isDown(KeyAction.MAIN)
-            || Gdx.input.isButtonPressed(Buttons.LEFT)
-            || (pad != null && isPressed(pad, "A"));
-    boolean jump = both || keys.isDown(KeyAction.JUMP) || keys.isDown(KeyAction.UP);
+        isDown(KeyAction.MAIN) || isDown(Buttons.LEFT) || (pad != null && isPressed(pad, "A"));
+    boolean jump = both || isDown(KeyAction.JUMP) || isDown(KeyAction.UP);
     boolean action =
         both
-            || keys.isDown(KeyAction.ACTION)
+            || isDown(KeyAction.ACTION)
             || (pad != null && (isPressed(pad, "X") || isPressed(pad, "R1")));
     boolean second =
-        keys.isDown(KeyAction.SECOND)
-            || Gdx.input.isButtonPressed(Buttons.RIGHT)
-            || (pad != null && isPressed(pad, "B"));
+        isDown(KeyAction.SECOND) || isDown(Buttons.RIGHT) || (pad != null && isPressed(pad, "B"));
     return (jump ? Input.JUMP : 0)
         | (action ? Input.ACTION : 0)
         | (second ? Input.SECOND : 0)
@@ -117,8 +168,8 @@ final class Controls {
     for (int i = 0; i < keys.actions().size(); i++) {
       Action action = keys.actions().get(i);
       if (action.kind() == kind) {
-        sum += keys.isDown(action.bindings().get(1)) ? 1 : 0;
-        sum -= keys.isDown(action.bindings().get(0)) ? 1 : 0;
+        sum += isDown(action.bindings().get(1)) ? 1 : 0;
+        sum -= isDown(action.bindings().get(0)) ? 1 : 0;
         for (int k = 0; pad != null && k < action.sticks().size(); k++) {
           String stick = action.sticks().get(k);
           sum += kind == Action.Kind.MOVE_X ? stickX(pad, stick) : stickY(pad, stick);
@@ -141,9 +192,9 @@ final class Controls {
 
   /** Returns whether a button of the game is held on any device. */
   private boolean isHeld(Action action, Controller pad) {
-    boolean held = keys.isDown(action.bindings().get(0));
+    boolean held = isDown(action.bindings().get(0));
     for (int i = 0; i < action.mouse().size(); i++) {
-      held |= Gdx.input.isButtonPressed(mouse(action.mouse().get(i)));
+      held |= isDown(mouse(action.mouse().get(i)));
     }
     for (int i = 0; pad != null && i < action.pad().size(); i++) {
       held |= isPressed(pad, action.pad().get(i));
@@ -238,7 +289,7 @@ final class Controls {
   }
 
   private float axis(KeyAction action) {
-    return keys.isDown(action) ? 1 : 0;
+    return isDown(action) ? 1 : 0;
   }
 
   private static float pressed(Controller pad, int button) {

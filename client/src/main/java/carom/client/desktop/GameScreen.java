@@ -217,9 +217,14 @@ final class GameScreen extends ScreenAdapter {
     return client.view();
   }
 
+  /** Returns whether keys move through a menu, choose a room, or are letters. */
+  private boolean areKeysForOthers() {
+    return pause.isOpen() || rooms.isOpen() || conversation.isWriting();
+  }
+
   private void sample(ClientView view, Input out) {
-    if (pause.isOpen() || rooms.isOpen() || conversation.isWriting()) {
-      return; // keys move through a menu, choose a room, or are letters
+    if (areKeysForOthers()) {
+      return;
     }
     Drawn own = view.own();
     controls.sample(out, picture.camera(), own == null ? 0 : own.x(), own == null ? 0 : own.y());
@@ -419,6 +424,11 @@ final class GameScreen extends ScreenAdapter {
   @Override
   public void render(float deltaSeconds) {
     long nowNs = System.nanoTime();
+    if (areKeysForOthers()) {
+      controls.forget();
+    } else {
+      controls.note();
+    }
     client.update(nowNs);
     ClientView view = client.view();
     if (view.phase() == ConnectionPhase.ENDED) {

@@ -77,9 +77,30 @@ public final class KeyMap {
     return isDown(gameCodes.getOrDefault(binding.name(), NONE));
   }
 
+  /**
+   * Returns whether a key of an action went down since the last picture, even if it is up again.
+   */
+  public boolean isTapped(KeyAction action) {
+    return isTapped(codes.get(action));
+  }
+
+  /** Returns whether a key of an action of the game went down since the last picture. */
+  public boolean isTapped(Action.Binding binding) {
+    return isTapped(gameCodes.getOrDefault(binding.name(), NONE));
+  }
+
   private static boolean isDown(int[] keys) {
     for (int code : keys) {
       if (Gdx.input.isKeyPressed(code)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isTapped(int[] keys) {
+    for (int code : keys) {
+      if (Gdx.input.isKeyJustPressed(code)) {
         return true;
       }
     }

@@ -30,14 +30,16 @@ export class Controls {
     this.left = this.stick(glass.left);
     this.right = this.stick(glass.right);
     this.pressed = new Set(); // buttons on glass
+    this.unread = new Set(); // went down since the last read
+    this.taps = []; // [set, what]: let go before a read has seen it, so the next one shall
     this.aim = 0;
     this.canPlay = canPlay;
     this.onGlass = onGlass;
     this.use([]);
     addEventListener('keydown', e => {
-      if (this.keys.has(e.code) && canPlay()) { this.held.add(e.code); e.preventDefault(); }
+      if (this.keys.has(e.code) && canPlay()) { this.press(this.held, e.code); e.preventDefault(); }
     });
-    addEventListener('keyup', e => this.held.delete(e.code));
+    addEventListener('keyup', e => this.letGo(this.held, e.code));
     addEventListener('blur', () => this.release());
     document.addEventListener('visibilitychange', () => this.release());
     canvas.addEventListener('contextmenu', e => e.preventDefault());
@@ -47,9 +49,9 @@ export class Controls {
     canvas.addEventListener('pointerdown', e => {
       if (e.pointerType === 'touch') { onGlass(); return; }
       Object.assign(this.mouse, {x: e.offsetX, y: e.offsetY, aims: true});
-      this.mouse.down.add(MOUSE[e.button]);
+      this.press(this.mouse.down, MOUSE[e.button]);
     });
-    addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.mouse.down.delete(MOUSE[e.button]); });
+    addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.letGo(this.mouse.down, MOUSE[e.button]); });
   }
 
   /** Takes the actions of a game's look in place of the usual ones: its buttons, its movements and its aim, each if it has any. */
@@ -81,7 +83,7 @@ export class Controls {
     const set = on => e => {
       e.preventDefault();
       element.classList.toggle('down', on);
-      if (on) { this.pressed.add(what); this.onGlass(); } else this.pressed.delete(what);
+      if (on) { this.press(this.pressed, what); this.onGlass(); } else this.letGo(this.pressed, what);
     };
     element.addEventListener('pointerdown', set(true));
     for (const event of ['pointerup', 'pointercancel', 'pointerleave']) element.addEventListener(event, set(false));
@@ -119,7 +121,19 @@ export class Controls {
     return stick;
   }
 
+  press(set, what) {
+    if (!set.has(what)) this.unread.add(what);
+    this.taps = this.taps.filter(tap => tap[1] !== what);
+    set.add(what);
+  }
+
+  letGo(set, what) {
+    if (this.unread.has(what)) this.taps.push([set, what]); else set.delete(what);
+  }
+
   release() {
+    this.unread.clear();
+    this.taps = [];
     this.held.clear();
     this.pressed.clear();
     this.mouse.down.clear();
@@ -139,8 +153,11 @@ export class Controls {
     if (aimX || aimY) { this.aim = Math.atan2(aimY, aimX); this.mouse.aims = false; }
     else if (this.mouse.aims && own && (!this.aiming || this.aiming.mouse.length)) { const at = toWorld(this.mouse.x, this.mouse.y); this.aim = Math.atan2(at[1] - own[1], at[0] - own[0]); }
     else if (x || y) this.aim = Math.atan2(y, x);
-    if (!this.canPlay()) return [0, 0, 0, this.aim];
-    return [this.buttons.length ? this.ownButtons(padButton) : this.usualButtons(padButton, y), x, y, this.aim];
+    const buttons = this.buttons.length ? this.ownButtons(padButton) : this.usualButtons(padButton, y);
+    for (const [set, what] of this.taps) set.delete(what);
+    this.taps = [];
+    this.unread.clear();
+    return this.canPlay() ? [buttons, x, y, this.aim] : [0, 0, 0, this.aim];
   }
 
   any(codes) { return codes.some(code => this.held.has(code)) ? 1 : 0; }
