@@ -14,9 +14,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: the tick of a room full of players allocates next to nothing. Method: twenty bots in a game
- * that ships, a quarter of which predict; the bytes the thread allocates in the server's part of
- * each slice, the smallest of several windows, since a goal or a roster in one of them may cost a
- * few objects.
+ * that ships, two of which predict; the bytes the thread allocates in the server's part of each
+ * slice, the smallest of several windows, since a goal or a roster in one of them may cost a few
+ * objects.
  */
 @Optimized("measures what is allocated")
 class AllocationScenarioTest {
@@ -34,7 +34,7 @@ class AllocationScenarioTest {
         ClientConfig config =
             ClientConfig.of("bot" + i)
                 .withServer("localhost", stepper.tcpPort(), stepper.udpPort());
-        config = i % 4 == 0 ? config : config.with(ClientConfig.PREDICTION, PredictionMode.NONE);
+        config = i % 10 == 0 ? config : config.with(ClientConfig.PREDICTION, PredictionMode.NONE);
         stepper.add(config, Impairment.NONE.withLatency(20, 0), new Bot(i));
       }
       stepper.run(12);

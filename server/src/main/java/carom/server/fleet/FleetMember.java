@@ -720,7 +720,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
 
   @Override
   public void look(List<Looker> here) {
-    List<Looker> told = here.stream().limit(ServerRecord.MAX_LOOKERS).toList();
+    boolean isLong = here.size() > ServerRecord.MAX_LOOKERS;
+    List<Looker> told = isLong ? List.copyOf(here.subList(0, ServerRecord.MAX_LOOKERS)) : here;
     if (!told.equals(lookers)) {
       lookers = told;
       serverNextNs = Math.min(serverNextNs, clock.getAsLong() + PUBLISH_NS);

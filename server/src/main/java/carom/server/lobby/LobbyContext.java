@@ -7,6 +7,7 @@ import carom.net.transport.Link;
 import carom.server.access.EntryRule;
 import carom.server.access.GamePassword;
 import carom.server.config.ServerConfig;
+import carom.server.room.FleetDoor;
 import carom.server.room.Room;
 import carom.server.room.RoomDirectory;
 import carom.server.session.PartingLinks;
@@ -91,9 +92,12 @@ final class LobbyContext {
 
   /** Tells the rest of the fleet who looks here for players about as good. */
   void tellLookers() {
-    directory
-        .fleet()
-        .look(visitors.stream().map(Visitor::looker).filter(Objects::nonNull).toList());
+    FleetDoor fleet = directory.fleet();
+    if (visitors.isEmpty()) {
+      fleet.look(List.of()); // as in most turns, which allocate nothing
+    } else {
+      fleet.look(visitors.stream().map(Visitor::looker).filter(Objects::nonNull).toList());
+    }
   }
 
   /** Returns the links that are told goodbye. */
