@@ -40,7 +40,7 @@ final class DeterminismTest {
       GAS 2eebf1ba2efa5eb cfd33dfff6e739ae
       SPIN d48e105aa520e5f6 d88655c879555dec
       NET b4b495a92dedba4e 11
-      JOINTS cd7ee0904c0d5eb8 78e69bc77880d903
+      JOINTS c1e8e5bc55bb31b8 fc2fd9a9ec2cf429
       BELTS 5fb390bcc7964f33 7e3906535740866a
       CHAINS e4b1f0325be7e7c4 fb68bd9a0cb4d34
       ROUND d03e3411ae6c326a ebc9702862e6e6c7
