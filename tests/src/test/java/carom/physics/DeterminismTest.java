@@ -45,7 +45,7 @@ final class DeterminismTest {
       CHAINS e4b1f0325be7e7c4 fb68bd9a0cb4d34
       ROUND d03e3411ae6c326a ebc9702862e6e6c7
       BULLETS bb51965067cf1967 5f309de367f17ef4
-      SLEEPERS aa7f40b706d7e41 ed6523a5a12b2ae9
+      SLEEPERS aa7f40b706d7e41 c90edec9f1e4b853
       EDITS d88422a1d781f88e 58b2f4689b876316
       WATER 8004d870e5eea31d 499deec80b09dece
       EULER 5f8e94cf45f64eff 7637076c528c2b21
