@@ -310,7 +310,7 @@ public final class NarrowPhase {
     gaps.count = left;
   }
 
-  /** Notes that a row is to be ended because another one covers it. */
+  /** Notes that another row covers a row, which the caller ends next. */
   void noteCover(int row, int cover) {
     covered.add(row);
     covered.add(cover);
