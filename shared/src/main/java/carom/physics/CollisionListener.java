@@ -10,7 +10,8 @@ package carom.physics;
  * step may push them together; {@code begin} is then called after the solver. {@code postSolve} is
  * called when the bodies have moved, followed by {@code hit} of the same contact if it was an
  * impact. Calls of each kind come in the canonical order of contacts: by the indices of the two
- * bodies, then of their shapes.
+ * bodies, then of their shapes. But {@code preSolve} comes before its turn, and before {@code
+ * begin}, where it decides whether other shapes touch or a body wakes.
  *
  * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
  * {@link Collision#isSensor} true. Nothing else is called, as there is no response. Sensors notice

@@ -9,6 +9,7 @@ import carom.physics.dynamics.narrow.Seams;
 import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * The stage of a step that updates the contacts. The narrow phase updates each row; this class
@@ -66,8 +67,9 @@ final class CollideStage {
    *
    * @param all whether all, as first in every step, or only those that came since
    * @param dt length of the step, s
+   * @param passes tells whether a callback lets the parts of a row pass each other
    */
-  void run(boolean all, float dt) {
+  void run(boolean all, float dt, IntPredicate passes) {
     if (all) {
       touching = 0;
       overlaps = false;
@@ -88,10 +90,10 @@ final class CollideStage {
       leaveDormant();
     }
     touching += narrowPhase.run();
-    touching -= seams.run(narrowPhase);
-    touching -= narrowPhase.dropMisses();
+    touching -= seams.run(narrowPhase, passes);
+    touching -= narrowPhase.dropMisses(passes);
     if (sleeping.anyAsleep()) {
-      decide();
+      decide(passes);
     }
     overlaps |= narrowPhase.overlaps();
   }
@@ -115,7 +117,7 @@ final class CollideStage {
   }
 
   /** Decides which of the updated contacts wake a sleeping body. */
-  private void decide() {
+  private void decide(IntPredicate passes) {
     int next = 0;
     for (int row = 0; row < contacts.count(); row++) {
       boolean vetoed = next < vetoedCount && vetoedRows[next] == row;
@@ -123,7 +125,7 @@ final class CollideStage {
       if (!narrowPhase.isLeft(row) && !contacts.sensor(row)) {
         int sleeper = sleeper(row);
         if (sleeper >= 0) {
-          decide(row, sleeper, vetoed);
+          decide(row, sleeper, vetoed, passes);
         }
       }
     }
@@ -141,7 +143,7 @@ final class CollideStage {
   }
 
   /** Decides whether a contact wakes a sleeping body. */
-  private void decide(int row, int sleeper, boolean vetoed) {
+  private void decide(int row, int sleeper, boolean vetoed, IntPredicate passes) {
     if (!contacts.touches(row)) {
       contacts.end(row); // nothing is in reserve for what sleeps
       if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
@@ -151,7 +153,7 @@ final class CollideStage {
       contacts.flags[row] |= ContactTable.DORMANT;
     } else if (vetoed) {
       undecided = true;
-    } else {
+    } else if (!passes.test(row)) {
       sleeping.touch(sleeper);
     }
   }

@@ -118,7 +118,7 @@ public final class Dynamics {
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
     collideStage =
         new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
-    eventStage = new EventStage(settings, bodies, parts, contacts);
+    eventStage = new EventStage(settings, bodies, parts, contacts, sleeping);
     refilter = new Refilter(contacts, pairs);
     editor =
         new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter, ended);
@@ -286,7 +286,7 @@ public final class Dynamics {
     continuous.run(substeps.solverBodies, dt, events);
     begins(StepStage.EVENTS);
     if (events != null) {
-      eventStage.afterSolving(events);
+      eventStage.afterSolving();
     }
     collideStage.settleReserve();
     continuous.beginCrossings(events);
@@ -307,19 +307,24 @@ public final class Dynamics {
   /** Renews boxes, pairs and contacts, and wakes what is touched. */
   private void findContacts(ContactEvents events, float dt) {
     pairs.refresh();
-    boolean all = true;
-    do {
+    eventStage.beginStep(events);
+    begins(StepStage.PAIRS);
+    pairs.find();
+    begins(StepStage.COLLIDE);
+    collideStage.run(true, dt, eventStage.passing);
+    while (sleeping.anyTouched()) {
+      eventStage.forgetAnswers();
+      sleeping.wakeTouched();
       begins(StepStage.PAIRS);
       pairs.find();
       begins(StepStage.COLLIDE);
-      collideStage.run(all, dt);
-      all = false;
-    } while (sleeping.wakeTouched());
+      collideStage.run(false, dt, eventStage.passing);
+    }
     sleeping.forgetMoves();
     sleeping.suspend();
     begins(StepStage.EVENTS);
     if (events != null) {
-      eventStage.beforeSolving(events);
+      eventStage.beforeSolving();
     }
     collideStage.holdBack();
     collideStage.noteOverlaps();

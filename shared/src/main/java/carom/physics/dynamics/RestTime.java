@@ -13,6 +13,9 @@ final class RestTime {
   /** The value that stands for a kinematic body put elsewhere by hand. */
   private static final float MOVED = -1;
 
+  /** The same within the step that sees it. A callback of that step may put it elsewhere again. */
+  private static final float SEEN = -2;
+
   private final Settings settings;
   private final BodyStore bodies;
   private final ActiveBodies active;
@@ -35,12 +38,15 @@ final class RestTime {
 
   /** Returns whether a body was put elsewhere by hand and no step has seen it. */
   boolean moved(int body) {
-    return bodies.sleepTime[body] == MOVED;
+    return bodies.sleepTime[body] < 0;
   }
 
   /** Notes that a step has seen a kinematic body that moves. */
   void noteDriven(int body) {
-    anyMoved |= moved(body);
+    if (moved(body)) {
+      anyMoved = true;
+      bodies.sleepTime[body] = SEEN;
+    }
   }
 
   /** Clears the marks of all bodies that a step has seen. */
@@ -51,7 +57,7 @@ final class RestTime {
     anyMoved = false;
     for (int i = 0; i < active.count; i++) {
       int body = active.list[i];
-      if (moved(body)) {
+      if (bodies.sleepTime[body] == SEEN) {
         bodies.sleepTime[body] = 0;
       }
     }

@@ -240,10 +240,15 @@ final class Sleeping {
     }
   }
 
-  /** Wakes the queued bodies; returns whether there were any. */
-  public boolean wakeTouched() {
+  /** Returns whether bodies are queued to be woken. */
+  public boolean anyTouched() {
+    return touched.count > 0;
+  }
+
+  /** Wakes the queued bodies. */
+  public void wakeTouched() {
     if (touched.count == 0) {
-      return false;
+      return;
     }
     beginWaking();
     for (int i = 0; i < touched.count; i++) {
@@ -256,7 +261,6 @@ final class Sleeping {
     endWaking();
     touched.count = 0;
     mergeWoken();
-    return true;
   }
 
   /**

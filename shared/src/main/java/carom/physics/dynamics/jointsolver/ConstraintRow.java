@@ -332,20 +332,18 @@ abstract class ConstraintRow {
 
   /** Keeps a gap open, seen in the direction of the sign. Returns the impulse of this visit. */
   final float solveLimit(float gap, float sign, float sum, boolean bias) {
-    float target = 0;
-    float scale = 1;
-    float leak = 0;
-    if (gap > 0) {
-      target = gap * inverseH;
-    } else if (bias) {
-      target = biasRate * gap;
-      scale = massScale;
-      leak = impulseScale;
-    }
-    float p = -mass * scale * (sign * rowSpeed() + target) - leak * sum;
+    boolean yields = gap <= 0 && bias;
+    float scale = yields ? massScale : 1;
+    float leak = yields ? impulseScale : 0;
+    float p = -mass * scale * (sign * rowSpeed() + closingSpeed(gap, bias)) - leak * sum;
     p = Math.max(sum + p, 0) - sum;
     applyRowImpulse(sign * p);
     return p;
+  }
+
+  /** Returns the most speed with which a gap may close; what is closed too far has to open. */
+  final float closingSpeed(float gap, boolean bias) {
+    return gap > 0 ? gap * inverseH : bias ? biasRate * gap : 0;
   }
 
   /**

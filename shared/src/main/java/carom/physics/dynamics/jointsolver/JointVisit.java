@@ -404,7 +404,7 @@ final class JointVisit extends ConstraintRow {
   private void solveWheelMotor(int slot) {
     if ((store.flags[slot] & JointStore.DRIVEN) != 0) {
       angleRow();
-      solveMotor(slot);
+      solveMotor(slot, store.motorSpeed[slot]);
     }
   }
 
@@ -567,12 +567,33 @@ final class JointVisit extends ConstraintRow {
   private void solveCoordinate(int k, int slot, float q, boolean bias) {
     boolean driven = (store.flags[slot] & JointStore.DRIVEN) != 0;
     if (driven && bias) {
-      solveMotor(slot);
+      solveMotor(slot, possibleSpeed(slot, q, true));
     }
     solveSpringAndLimits(k, slot, q, bias);
     if (driven && !bias) {
-      solveMotor(slot);
+      solveMotor(slot, possibleSpeed(slot, q, false));
     }
+  }
+
+  /**
+   * Returns the speed of a motor, as far as limits let it. What it would exert against a limit that
+   * holds would be taken up by that, but limits are soft: a strong motor would bend them by any
+   * angle.
+   */
+  private float possibleSpeed(int slot, float q, boolean bias) {
+    JointStore j = store;
+    float speed = j.motorSpeed[slot];
+    if ((j.flags[slot] & JointStore.LIMITED) != 0) {
+      speed = Math.min(speed, closingSpeed(j.upper[slot] - q, bias));
+      speed = Math.max(speed, -closingSpeed(q - j.lower[slot], bias));
+    } else if (j.isRatchet(slot)) {
+      float past = (float) (q - j.tooth(slot));
+      speed =
+          j.ratio[slot] > 0
+              ? Math.max(speed, -closingSpeed(past, bias))
+              : Math.min(speed, closingSpeed(-past, bias));
+    }
+    return speed;
   }
 
   private void solveSpringAndLimits(int k, int slot, float q, boolean bias) {
@@ -748,11 +769,11 @@ final class JointVisit extends ConstraintRow {
     store.impulseY[slot] = y * cut;
   }
 
-  private void solveMotor(int slot) {
+  private void solveMotor(int slot, float speed) {
     JointStore j = store;
     float old = j.motorImpulse[slot];
     float most = h * j.motorMax[slot];
-    float sum = old + mass * (j.motorSpeed[slot] - rowSpeed());
+    float sum = old + mass * (speed - rowSpeed());
     sum = Math.max(-most, Math.min(sum, most));
     j.motorImpulse[slot] = sum;
     applyRowImpulse(sum - old);

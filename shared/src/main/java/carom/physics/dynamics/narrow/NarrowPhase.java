@@ -12,6 +12,7 @@ import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * The narrow phase: updates the rows of the contact table, one manifold per pair of parts.
@@ -52,11 +53,8 @@ public final class NarrowPhase {
   /** Mark: the row stays as it is. */
   private static final int LEFT = 1;
 
-  /** Mark: a callback let its parts pass in the step before. */
-  private static final int PASSED = 2;
-
   /** Mark: the row covers others. */
-  private static final int COVERS = 4;
+  private static final int COVERS = 2;
 
   /** Per row: its marks, added up. */
   private byte[] marks = new byte[0];
@@ -69,8 +67,13 @@ public final class NarrowPhase {
 
   private Scratch[] scratches = new Scratch[0];
 
-  /** The rows that were ended because others cover them, each followed by the one that does. */
+  /**
+   * The rows that others cover, each followed by the one that does, and by its points until then.
+   */
   private final IntList covered = new IntList();
+
+  /** Rows that miss, but cover others. */
+  private final IntList missing = new IntList();
 
   /** The memory that one worker needs, and what it counts. */
   private static final class Scratch {
@@ -172,7 +175,8 @@ public final class NarrowPhase {
   public void begin(boolean first, float dt) {
     ensureCapacity();
     covered.count = 0;
-    covered.ensureRoom(2 * contacts.capacity());
+    missing.count = 0;
+    covered.ensureRoom(3 * contacts.capacity());
     for (Scratch scratch : scratches) {
       scratch.misses.begin(dt);
       scratch.reserve.count = 0;
@@ -189,10 +193,7 @@ public final class NarrowPhase {
       marks = new byte[contacts.capacity()];
       restless = Arrays.copyOf(restless, marks.length / GROUP + 1);
     }
-    int passing = ContactTable.TOUCHING | ContactTable.VETOED;
-    for (int row = 0; row < count; row++) {
-      marks[row] = (byte) ((contacts.flags[row] & passing) == passing ? PASSED : 0);
-    }
+    Arrays.fill(marks, 0, count, (byte) 0);
     contacts.keepManifolds();
   }
 
@@ -309,44 +310,52 @@ public final class NarrowPhase {
     gaps.count = left;
   }
 
-  /** Returns whether a callback let the parts of a row pass in the step before. */
-  boolean passed(int row) {
-    return (marks[row] & PASSED) != 0;
-  }
-
-  /** Notes that a row was ended because another one covers it. */
+  /** Notes that another row covers a row, which the caller ends next. */
   void noteCover(int row, int cover) {
     covered.add(row);
     covered.add(cover);
+    covered.add(contacts.points[row]);
     marks[cover] |= COVERS;
   }
 
   /** Returns whether what a row covers meets in this step, though it itself doesn't. */
-  private boolean coversOneThatMeets(int cover, MissFinder misses) {
-    for (int i = 0; (marks[cover] & COVERS) != 0 && i < covered.count; i += 2) {
+  private boolean coversOneThatMeets(int cover, MissFinder misses, IntPredicate passes) {
+    for (int i = 0; (marks[cover] & COVERS) != 0 && i < covered.count; i += 3) {
       int row = covered.values[i];
       if (covered.values[i + 1] == cover
-          && (misses.meets(row) || coversOneThatMeets(row, misses))) {
+          && ((misses.meets(row) && !passed(row, covered.values[i + 2], passes))
+              || coversOneThatMeets(row, misses, passes))) {
         return true;
       }
     }
     return false;
   }
 
+  /** Returns whether a callback lets the parts of a row pass that was ended with some points. */
+  private boolean passed(int row, int points, IntPredicate passes) {
+    contacts.points[row] = (byte) points;
+    boolean does = passes.test(row);
+    contacts.points[row] = 0;
+    return does;
+  }
+
   /**
    * Decides about the updated rows whose gaps might be closed: they touch only if they meet in this
    * step, or were pushed in the one before. What covers others stands for all of the ground there.
    *
+   * @param passes tells whether a callback lets the parts of a row pass each other
    * @return how many don't touch
    */
-  public int dropMisses() {
+  public int dropMisses(IntPredicate passes) {
     int apart = 0;
     for (Scratch scratch : scratches) {
       IntList gaps = scratch.gaps;
       for (int i = 0; i < gaps.count; i++) {
         int row = gaps.values[i];
         int verdict = contacts.points[row] == 0 ? MissFinder.MEET : scratch.misses.judge(row);
-        if (verdict == MissFinder.MISS && !coversOneThatMeets(row, scratch.misses)) {
+        if (verdict == MissFinder.MISS && (marks[row] & COVERS) != 0) {
+          missing.add(row);
+        } else if (verdict == MissFinder.MISS) {
           contacts.end(row);
           apart++;
         } else if (verdict != MissFinder.MEET && contacts.hold(row)) {
@@ -357,6 +366,25 @@ public final class NarrowPhase {
       gaps.count = 0;
       scratch.looked = 0;
     }
+    return apart + dropMissingCovers(passes);
+  }
+
+  /** Ends the rows that miss, unless what they cover meets; asks in the order of rows. */
+  private int dropMissingCovers(IntPredicate passes) {
+    int apart = 0;
+    MissFinder misses = scratches[0].misses;
+    Arrays.sort(missing.values, 0, missing.count);
+    for (int i = 0; i < missing.count; i++) {
+      int row = missing.values[i];
+      if (!coversOneThatMeets(row, misses, passes)) {
+        contacts.end(row);
+        apart++;
+      } else if (contacts.hold(row)) {
+        scratches[0].reserve.add(row);
+        apart++;
+      }
+    }
+    missing.count = 0;
     return apart;
   }
 

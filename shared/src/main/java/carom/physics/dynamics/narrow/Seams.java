@@ -8,6 +8,7 @@ import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * Ends contacts with edges that nothing can reach because the ground goes on beyond them. Such
@@ -84,6 +85,8 @@ public final class Seams {
   /** Is told which contacts cover others. */
   private NarrowPhase narrow;
 
+  private IntPredicate passes;
+
   /** Makes the stage of a world without bodies. */
   public Seams(Settings settings, BodyStore bodies, ShapeTable parts, ContactTable contacts) {
     this.settings = settings;
@@ -96,10 +99,12 @@ public final class Seams {
    * Ends the contacts with covered edges among the rows just updated.
    *
    * @param narrow says which rows were
+   * @param passes tells whether a callback lets the parts of a row pass each other
    * @return how many ended
    */
-  public int run(NarrowPhase narrow) {
+  public int run(NarrowPhase narrow, IntPredicate passes) {
     this.narrow = narrow;
+    this.passes = passes;
     collect();
     int count = 0;
     for (int i = 0; i < moverCount; i++) {
@@ -224,8 +229,8 @@ public final class Seams {
   /** Ends a contact that another one covers; returns how many that touched ended. */
   private int end(int row, int cover) {
     int count = contacts.touches(row) ? 1 : 0;
-    contacts.end(row);
     narrow.noteCover(row, cover);
+    contacts.end(row);
     return count;
   }
 
@@ -234,9 +239,6 @@ public final class Seams {
    * pass covers nothing.
    */
   private boolean covers(int rowOfT, int rowOfS) {
-    if (narrow.passed(rowOfT)) {
-      return false;
-    }
     boolean firstS = isFixedFirst(rowOfS);
     boolean firstT = isFixedFirst(rowOfT);
     int bodyS = firstS ? contacts.bodyA(rowOfS) : contacts.bodyB(rowOfS);
@@ -259,9 +261,11 @@ public final class Seams {
     }
     place(bodyS, poseS);
     place(bodyT, poseT);
-    return s instanceof Segment
-        ? endIsCovered(rowOfS, s, t, upX, upY)
-        : edgeIsCovered(rowOfS, s, t, upX, upY);
+    boolean covers =
+        s instanceof Segment
+            ? endIsCovered(rowOfS, s, t, upX, upY)
+            : edgeIsCovered(rowOfS, s, t, upX, upY);
+    return covers && !passes.test(rowOfT);
   }
 
   /**
