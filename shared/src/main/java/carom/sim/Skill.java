@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.math.Limits;
 import carom.sim.field.Count;
 import carom.sim.field.Scope;
 
@@ -28,7 +29,7 @@ public record Skill(Count field, int within, int widening) {
    *     negative
    */
   public Skill {
-    if (field.scope() != Scope.ACCOUNT || field.times() != 1) {
+    if (Limits.notNull("field", field).scope() != Scope.ACCOUNT || field.times() != 1) {
       throw new IllegalArgumentException(
           "field=" + field.name() + " of a skill must be one value of(ACCOUNT)");
     }

@@ -10,6 +10,7 @@ import carom.sim.Rules;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
 import carom.sim.SimulationHost;
+import carom.sim.Skill;
 import carom.sim.entity.AssemblyDef;
 import carom.sim.entity.Contact;
 import carom.sim.entity.Entity;
@@ -67,6 +68,7 @@ class FaceLawTest {
           Rules.class,
           MatchClock.class,
           NextMatch.class,
+          Skill.class,
           Entity.class,
           EntityJoint.class,
           EntityMover.class,
