@@ -79,8 +79,7 @@ public final class Backend {
         base64("{\"alg\":\"EdDSA\"}".getBytes(StandardCharsets.UTF_8))
             + "."
             + base64(
-                "{\"sub\":\"%s\",\"exp\":%d%s}"
-                    .formatted(account, expires, more)
+                ("{\"sub\":\"" + account + "\",\"exp\":" + expires + more + "}")
                     .getBytes(StandardCharsets.UTF_8));
     Signature signature = Signature.getInstance("Ed25519");
     signature.initSign(KEYS.getPrivate());
