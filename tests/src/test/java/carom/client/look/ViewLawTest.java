@@ -1,5 +1,6 @@
 package carom.client.look;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.fixtures.WildCalls;
@@ -96,7 +97,7 @@ class ViewLawTest {
   /** Returns the look as the page gets it. */
   private String written(ViewSetup setup, String way) {
     try {
-      return new String(LookWriter.write("wild", setup, Map.of("a.png", "a.png")));
+      return new String(LookWriter.write("wild", setup, Map.of("a.png", "a.png")), UTF_8);
     } catch (RuntimeException e) {
       faults.add("can't be written: " + e + " after " + way);
       return "";

@@ -106,7 +106,7 @@ final class SkillScenarioTest {
         assertEquals(ConnectionPhase.JOINING, one.view().phase());
         GameClient other = come(rig, late, 2_450, "");
         rig.run(4);
-        assertTrue(plays(one) && plays(other), () -> one + " " + other);
+        assertTrue(plays(one) && plays(other), () -> one.view().message() + other.view().message());
         assertEquals(one.view().room(), other.view().room());
         assertNotEquals(first.view().room(), one.view().room());
       }
