@@ -8,6 +8,7 @@ import carom.sim.MatchPhase;
 import carom.sim.Rules;
 import carom.sim.SetUp;
 import carom.sim.Simulation;
+import carom.sim.Skill;
 import carom.sim.entity.Contact;
 import carom.sim.entity.Entity;
 import carom.sim.entity.EntityJoint;
@@ -151,6 +152,11 @@ public final class GuardedGame implements Game {
   @Override
   public List<Cooldown> cooldowns() {
     return game.cooldowns();
+  }
+
+  @Override
+  public Skill skill() {
+    return game.skill();
   }
 
   @Override

@@ -46,7 +46,7 @@ record SavedSeat(
   /** Stands for the whole grace period. */
   public static final int PLAYED = -1;
 
-  private static final int MAX_GRACE_MS = 600_000;
+  static final int MAX_GRACE_MS = 600_000;
   private static final int BYTES = 52;
 
   /** Returns whether it is the seat with this id of the player with this secret. */

@@ -58,7 +58,9 @@ final class SlotSeats {
     for (Session session : bySeat) {
       if (session != null) {
         boolean left = session.state() == SessionState.GRACE;
+        // A process that stood still learns of lost links by a newer clock than its last tick's.
         long leftMs = Math.max(0, (session.graceEndNs() - nowNs) / NS_PER_MS);
+        leftMs = Math.min(leftMs, SavedSeat.MAX_GRACE_MS);
         int graceMs = left ? (int) leftMs : SavedSeat.PLAYED;
         next.add(saved(session.seat(), graceMs, false, firstTick, events));
       }
