@@ -176,7 +176,7 @@ final class WindowPlayer {
       while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
         Thread.sleep(20);
       }
-      Gdx.graphics.setForegroundFPS(30); // a key is held for longer than a frame
+      Gdx.graphics.setForegroundFPS(12); // a key that is let go between two frames counts, too
       if (args[0].equals("play")) {
         player.playRooms(List.of(args[1].split(",")), Double.parseDouble(args[2]));
       } else {
