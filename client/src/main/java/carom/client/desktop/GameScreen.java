@@ -424,8 +424,8 @@ final class GameScreen extends ScreenAdapter {
   @Override
   public void render(float deltaSeconds) {
     long nowNs = System.nanoTime();
-    if (areKeysForOthers()) {
-      controls.forget();
+    if (areKeysForOthers() || client.view().phase() != ConnectionPhase.PLAYING) {
+      controls.forget(); // what is pressed while a level loads is no order for its first tick
     } else {
       controls.note();
     }

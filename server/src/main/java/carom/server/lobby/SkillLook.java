@@ -54,8 +54,12 @@ final class SkillLook {
     tellNs = nowNs;
   }
 
-  /** Returns whether the store of accounts is still asked. */
-  boolean isAsking(long nowNs) {
+  /**
+   * Takes what the store of accounts has answered, or goes on without it after two seconds.
+   *
+   * @return whether the answer is awaited
+   */
+  boolean awaitSkill(long nowNs) {
     if (skill != null) {
       return false;
     }
@@ -92,8 +96,8 @@ final class SkillLook {
     return over || nowNs - sinceNs >= waitNs;
   }
 
-  /** Returns whether it is time to look again, a few times a second. */
-  boolean isDue(long nowNs) {
+  /** Takes a turn to look again, and returns true, if it is time for one: a few times a second. */
+  boolean takeTurn(long nowNs) {
     if (nowNs - nextNs < 0) {
       return false;
     }
@@ -132,8 +136,8 @@ final class SkillLook {
     return other.own != null && suits(other.own, nowNs) && other.suits(own, nowNs);
   }
 
-  /** Returns what to tell the player now, or null. */
-  String news(long nowNs) {
+  /** Takes what to tell the player now, once a second; null for nothing. */
+  String takeNews(long nowNs) {
     if (nowNs - tellNs < 0) {
       return null;
     }

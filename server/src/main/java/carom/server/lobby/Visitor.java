@@ -679,7 +679,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     }
     Room expecting = chooser.expecting(waiting.resumeSecret());
     if (expecting == null
-        && (isSkillAskedFor() || isPartyAskedFor() || (waiting.room().isEmpty() && isLooking()))) {
+        && (askForSkill() || askForParty() || (waiting.room().isEmpty() && goOnLooking()))) {
       return;
     }
     Room requested = waiting.room().isEmpty() ? null : directory.find(waiting.room());
@@ -811,8 +811,12 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         : look.own();
   }
 
-  /** Returns whether the store of accounts is asked how good the visitor is, where that counts. */
-  private boolean isSkillAskedFor() {
+  /**
+   * Asks the store of accounts how good the visitor is, where that counts.
+   *
+   * @return whether the answer is awaited
+   */
+  private boolean askForSkill() {
     if (look == null && config.get(ServerConfig.ROOM_RULE) == ServerConfig.RoomRule.SKILL) {
       look =
           new SkillLook(
@@ -822,16 +826,20 @@ final class Visitor implements LinkHandler, Entrance.Guest {
               (long) (config.get(ServerConfig.SKILL_WAIT) * NS_PER_S),
               context.nowNs());
     }
-    return look != null && look.isAsking(context.nowNs());
+    return look != null && look.awaitSkill(context.nowNs());
   }
 
-  /** Returns whether the visitor goes on looking for players about as good. */
-  private boolean isLooking() {
+  /**
+   * Looks for players about as good, and tells the visitor so.
+   *
+   * @return whether to go on
+   */
+  private boolean goOnLooking() {
     long nowNs = context.nowNs();
     if (look == null || look.isOver(nowNs)) {
       return false;
     }
-    if (look.isDue(nowNs)) {
+    if (look.takeTurn(nowNs)) {
       RoomOffer otherwise = bestOffer(waiting.fillUp());
       if (otherwise != null) {
         look.otherwise(otherwise);
@@ -845,7 +853,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
         return false;
       }
     }
-    String news = look.news(nowNs);
+    String news = look.takeNews(nowNs);
     if (news != null) {
       link.send(new ServerMessage.Notice(news));
     }
@@ -860,7 +868,7 @@ final class Visitor implements LinkHandler, Entrance.Guest {
    *
    * @return whether the fleet's directory is still asked
    */
-  private boolean isPartyAskedFor() {
+  private boolean askForParty() {
     if (waiting.party().isEmpty() || !waiting.room().isEmpty()) {
       return false;
     }

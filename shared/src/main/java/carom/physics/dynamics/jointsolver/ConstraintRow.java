@@ -343,6 +343,10 @@ abstract class ConstraintRow {
 
   /** Returns the most speed with which a gap may close; what is closed too far has to open. */
   final float closingSpeed(float gap, boolean bias) {
+    return closingSpeed(gap, bias, inverseH, biasRate);
+  }
+
+  static float closingSpeed(float gap, boolean bias, float inverseH, float biasRate) {
     return gap > 0 ? gap * inverseH : bias ? biasRate * gap : 0;
   }
 

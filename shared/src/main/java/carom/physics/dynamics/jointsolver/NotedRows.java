@@ -155,16 +155,10 @@ final class NotedRows {
     int at = k * RECORD;
     int a = joints.bodyA[k] + W;
     int b = joints.bodyB[k] + W;
-    float target = 0;
-    float scale = 1;
-    float leak = 0;
-    if (gap > 0) {
-      target = gap * inverseH;
-    } else if (bias) {
-      target = biasRate * gap;
-      scale = massScale;
-      leak = impulseScale;
-    }
+    boolean yields = gap <= 0 && bias;
+    float scale = yields ? massScale : 1;
+    float leak = yields ? impulseScale : 0;
+    float target = ConstraintRow.closingSpeed(gap, bias, inverseH, biasRate);
     float p = -d[at + ANGULAR] * scale * (sign * (s[b] - s[a]) + target) - leak * sum;
     p = Math.max(sum + p, 0) - sum;
     if (p == 0) {
