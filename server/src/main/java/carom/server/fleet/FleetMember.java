@@ -96,6 +96,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private volatile List<Looker> lookers = List.of();
   private final Balance balance = new Balance();
   private long renewNs;
+  private long born; // the first lease
   private long serverNumber;
   private String serverTold = "";
   private volatile long serverNextNs;
@@ -232,6 +233,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   public void join() throws DirectoryException {
     long askedNs = clock.getAsLong();
     lease.renewed(directory.lease(Lease.TTL_MS), askedNs);
+    born = born == 0 ? lease.number() : born;
     renewNs = askedNs + RENEW_NS;
     serverNumber = 0;
     tellServer(askedNs);
@@ -376,6 +378,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       peers.reached().forEach(peers::forget);
     }
     join();
+    if (takeovers != null) {
+      takeovers.cameBack(clock.getAsLong());
+    }
     for (Claims.Claim claim : claims.all()) {
       claim.follower = 0;
       if (!claims.renew(claim)) {
@@ -398,6 +403,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Ends the leases of servers whose processes are dead, so that nobody waits for them. */
   private void bury() throws DirectoryException {
     for (long server : Set.copyOf(dead)) {
+      view.bury(server);
       if (view.servers().containsKey(server)) {
         LOG.warn("fleet: server {} is dead", view.servers().get(server).name());
         directory.revoke(server);
@@ -414,6 +420,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     ServerRecord record =
         new ServerRecord(
             lease.number(),
+            born,
             settings.name(),
             settings.address(),
             settings.play(),

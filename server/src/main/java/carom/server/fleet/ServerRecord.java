@@ -12,6 +12,7 @@ import java.util.List;
  * The record of a server in the directory, by itself.
  *
  * @param lease its lease, which is its number in the fleet: another one after each start
+ * @param born the first lease of its process, by which the others know it again when it lost one
  * @param name name of the server, for people
  * @param address host and TCP port for players, as {@code ServerAddress} reads it
  * @param play host and port of its play port, empty for none
@@ -23,6 +24,7 @@ import java.util.List;
  */
 public record ServerRecord(
     long lease,
+    long born,
     String name,
     String address,
     String play,
@@ -76,6 +78,7 @@ public record ServerRecord(
   String toJson() {
     return FleetJson.write(
         json -> {
+          json.writeNumberField("born", born);
           json.writeStringField("name", name);
           json.writeStringField("address", address);
           json.writeStringField("play", play);
@@ -111,6 +114,7 @@ public record ServerRecord(
     }
     return new ServerRecord(
         lease,
+        FleetJson.number(json, "born"),
         FleetJson.text(json, "name"),
         FleetJson.text(json, "address"),
         FleetJson.text(json, "play"),

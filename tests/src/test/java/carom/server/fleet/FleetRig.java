@@ -396,6 +396,13 @@ public final class FleetRig implements AutoCloseable {
     }
   }
 
+  /** Returns the names of the rooms that the servers have. */
+  Set<String> rooms() {
+    Set<String> rooms = new TreeSet<>();
+    nodes.values().forEach(node -> node.server.rooms().forEach(room -> rooms.add(room.name())));
+    return rooms;
+  }
+
   /** Returns the servers whose room of a name may tick now. */
   List<Node> owners(String room) {
     List<Node> owners = new ArrayList<>();
