@@ -407,6 +407,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (view.servers().containsKey(server)) {
         LOG.warn("fleet: server {} is dead", view.servers().get(server).name());
         directory.revoke(server);
+        view.revoked(server);
       }
       dead.remove(server);
     }

@@ -109,9 +109,33 @@ final class FleetView {
     return born.containsKey(lease);
   }
 
-  /** Learns that the process that has a lease is dead. */
+  /** Learns that the process that has a lease is dead, so that it never returns. */
   void bury(long lease) {
     born.remove(lease);
+  }
+
+  /**
+   * Forgets what belongs to a lease that this server has revoked, before the directory says that it
+   * is gone: the players of its rooms wait.
+   */
+  void revoked(long lease) {
+    ServerRecord server = servers.remove(lease);
+    if (server != null) {
+      news.gone(server);
+    }
+    for (Map.Entry<String, OwnedRoom> room : rooms.entrySet()) {
+      if (room.getValue().record().server() == lease) {
+        lost(room.getKey());
+      }
+    }
+  }
+
+  private boolean lost(String room) {
+    OwnedRoom before = rooms.remove(room);
+    if (before != null) {
+      orphans.put(room, new Orphan(before.record(), before.claim(), clock.getAsLong()));
+    }
+    return before != null;
   }
 
   /** Returns the rooms by name. */
@@ -187,9 +211,7 @@ final class FleetView {
     @Override
     public void gone(DirectoryEntry last) {
       String room = last.key().substring(RoomRecord.PREFIX.length());
-      OwnedRoom before = rooms.remove(room);
-      if (before != null) {
-        orphans.put(room, new Orphan(before.record(), before.claim(), clock.getAsLong()));
+      if (lost(room)) {
         changed.run();
       }
     }
