@@ -128,7 +128,7 @@ final class ServerStart {
     }
     server = openRooms(rooms, transport);
     if (fleet != null) {
-      server.fleet(fleet.member());
+      server.fleet(fleet.member().door());
     }
     compareWithOpenFiles(RoomConfig.places(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));

@@ -39,6 +39,14 @@ public record ServerRecord(
   /** Most lookers of which a record tells, so that it stays small. */
   static final int MAX_LOOKERS = 32;
 
+  /**
+   * Returns whether it takes rooms of the server that has a lease: of any other one, while it
+   * stays.
+   */
+  boolean takesRoomsOf(long other) {
+    return lease != other && !draining;
+  }
+
   /** Returns the address at a door, empty for none. */
   String address(Link.Door door) {
     return switch (door) {

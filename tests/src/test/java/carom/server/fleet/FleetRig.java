@@ -173,7 +173,7 @@ public final class FleetRig implements AutoCloseable {
               network.server(),
               this::now,
               member::ownershipOf);
-      server.fleet(member);
+      server.fleet(member.door());
       member.serves(new SlowHost(server));
     }
 

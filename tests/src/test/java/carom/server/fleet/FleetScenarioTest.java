@@ -194,8 +194,8 @@ class FleetScenarioTest {
       }
       rig.run(1);
       String token = Backend.token("one");
-      assertTrue(rig.nodes.get("a").member.spend(JoinTokens.mark(token), 60, true).get());
-      assertFalse(rig.nodes.get("b").member.spend(JoinTokens.mark(token), 60, true).get());
+      assertTrue(rig.nodes.get("a").member.door().spend(JoinTokens.mark(token), 60, true).get());
+      assertFalse(rig.nodes.get("b").member.door().spend(JoinTokens.mark(token), 60, true).get());
       GameClient thief = rig.client(ClientConfig.of("thief").with(ClientConfig.TOKEN, token), "b");
       GameClient other =
           rig.client(ClientConfig.of("other").with(ClientConfig.TOKEN, Backend.token("two")), "b");
