@@ -19,8 +19,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds places for players in the rooms of other servers, sends players there, and lets those in
- * whom others send here. Any thread.
+ * Finds places for players in the rooms of other servers, sends players there, and lets in those
+ * that other servers send here. Any thread.
  */
 final class Placement implements FleetDoor {
   private static final Logger LOG = LoggerFactory.getLogger(Placement.class);
