@@ -1,6 +1,6 @@
 package carom.architecture;
 
-import static carom.architecture.ArchitectureTest.CAROM;
+import static carom.architecture.ArchitectureTest.Product.CAROM;
 import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
 import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
 import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
