@@ -1,6 +1,10 @@
 #!/bin/sh
 # Starts ${applicationName} on the Java runtime that came along, else on that of JAVA_HOME, else on the one on the PATH. Options for the JVM
 # go in JAVA_OPTS.
+# A daemon's caller may have closed these; then the JVM's first file would get their number, and its bytes would be taken for commands.
+(true 9<&0) 2>/dev/null || exec </dev/null
+(true 9>&1) 2>/dev/null || exec >/dev/null
+(true 9>&2) || exec 2>/dev/null
 self=\$0
 while [ -h "\$self" ]; do
     link=\$(readlink "\$self")

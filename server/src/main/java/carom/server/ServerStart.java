@@ -412,6 +412,10 @@ final class ServerStart {
     }
     try {
       boolean own = store.equals(ServerConfig.STORE.initial());
+      if (own && !Files.isWritable(flags.dataFolder().root())) {
+        log.warn("accounts: nobody is remembered without a data folder");
+        return;
+      }
       JdbcAccounts accounts =
           own ? JdbcAccounts.file(flags.dataFolder().accounts()) : JdbcAccounts.postgres(store);
       if (own && FleetFlags.isFleet(config)) {
