@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Slice;
 import carom.physics.Body;
 import carom.sim.Role;
 import carom.sim.SimState;
@@ -54,18 +55,18 @@ public class GamesTest {
   @ParameterizedTest
   @ValueSource(strings = {"arena", "cars", "platformer", "playground", "shooter"})
   void equalInputsGiveEqualHashes(String game) {
-    List<Long> first = hashes(game, 11);
-    assertEquals(first, hashes(game, 11));
-    assertNotEquals(first, hashes(game, 12));
+    List<Long> first = hashes(game, 11, 400);
+    assertEquals(first, hashes(game, 11, 400));
+    assertNotEquals(first.subList(0, 60), hashes(game, 12, 60));
   }
 
-  private static List<Long> hashes(String game, long seed) {
+  private static List<Long> hashes(String game, long seed, int ticks) {
     SimulationHost s = start(game, seed, Role.AUTHORITY);
     List<Long> hashes = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       s.join("bot " + i);
     }
-    for (int tick = 0; tick < 600; tick++) {
+    for (int tick = 0; tick < ticks; tick++) {
       if (tick == 200) {
         s.leave(s.player(3));
       }
@@ -122,7 +123,7 @@ public class GamesTest {
       s.join("bot " + i);
     }
     Level.Bounds b = s.level().bounds();
-    for (int tick = 0; tick < 900; tick++) {
+    for (int tick = 0; tick < Slice.of(500, 900); tick++) {
       Bots.wander(s, 9);
       s.step();
       for (int id = 0; id < s.entityCapacity(); id++) {

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Slice;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
@@ -248,7 +249,8 @@ class StateBytesTest {
     long seed = Long.getLong("carom.seed", 5);
     Random random = new Random(seed);
     int read = 0;
-    for (int round = 0; round < 1_500; round++) {
+    int rounds = (int) Slice.of(500, 1_500);
+    for (int round = 0; round < rounds; round++) {
       byte[] bytes = good.clone();
       int flips = 1 + random.nextInt(3);
       for (int i = 0; i < flips; i++) {
@@ -269,7 +271,7 @@ class StateBytesTest {
         throw new AssertionError("seed=" + seed + " round=" + round, e);
       }
     }
-    assertTrue(read > 150 && read < 1_350, "read=" + read);
+    assertTrue(read > 0.1 * rounds && read < 0.9 * rounds, "read=" + read);
   }
 
   /** What the API refuses to set, an archive can't bring in either. */

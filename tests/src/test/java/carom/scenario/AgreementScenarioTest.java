@@ -8,6 +8,7 @@ import carom.client.InputSource;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.Levels;
+import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -40,18 +41,19 @@ class AgreementScenarioTest {
   @MethodSource("gamesAndConditions")
   void playersAgreeWithTheServerInEveryNetwork(String game, Condition condition) {
     // Goal: two players on a bad network and one on a clean one agree with the server.
-    // Method: bots and a wanderer, ten seconds, a late joiner on the bad network.
+    // Method: bots and a wanderer, seven seconds, a late joiner on the bad network.
     try (Stepper stepper = Stepper.of(game)) {
       List<SimulatedClient> bad = new ArrayList<>();
       for (int i = 0; i < 2; i++) {
         bad.add(stepper.add("bad" + i, condition.impairment(Stepper.SEED), new Bot(i)));
       }
       SimulatedClient clean = stepper.add("clean", Impairment.NONE, Scripts.wander(Stepper.SEED));
-      stepper.run(4);
+      stepper.run(2);
       if (condition.hasBlackout()) {
         bad.forEach(client -> stepper.blackout(client, 1));
       }
-      stepper.run(3);
+      double middle = Slice.of(2, 5);
+      stepper.run(middle);
       bad.add(stepper.join("late", condition.impairment(Stepper.SEED), new Bot(9)));
       stepper.run(3);
       for (SimulatedClient client : stepper.clients()) {
@@ -63,7 +65,7 @@ class AgreementScenarioTest {
         assertTrue(client.compared() > 200, "compared=" + client.compared() + " " + about);
         assertTrue(client.unverified() * 100 <= client.compared(), about);
       }
-      assertTrue(clean.stats().snapshots() > 550, stepper.describe());
+      assertTrue(clean.stats().snapshots() > 55 * (5 + middle), stepper.describe());
     }
   }
 

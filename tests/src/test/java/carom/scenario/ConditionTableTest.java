@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.BigWorlds;
+import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -21,7 +22,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  * seeded scenario in virtual time; the stepper compares each decoded state with the server's frame.
  */
 class ConditionTableTest {
-  private static final double PLAY_SECONDS = 3;
+  private static final double PLAY_SECONDS = Slice.of(2, 3);
   private static final Impairment NONE = Impairment.NONE;
 
   /** The lines; delays are one way. */

@@ -115,7 +115,7 @@ class EdgeScenarioTest {
   @Test
   void sequenceAndTickNumbersWrapUnnoticed() {
     // Goal: 16 bits of sequence and tick last 4.5 minutes at 240 Hz; the game goes on behind them.
-    // Method: six minutes of a match of ten; rate, exactness and agreement before and after.
+    // Method: five minutes of a match of ten; rate, exactness and agreement before and after.
     ServerConfig config =
         ServerConfig.defaults()
             .with(ServerConfig.TICK_RATE, 240)
@@ -125,7 +125,7 @@ class EdgeScenarioTest {
           stepper.join("a", Impairment.NONE.withLatency(20, 0), Scripts.wander(Stepper.SEED));
       stepper.run(5);
       long corrections = alone.stats().corrections();
-      for (int minute = 0; minute < 6; minute++) {
+      for (int minute = 0; minute < 5; minute++) {
         long snapshots = alone.stats().snapshots();
         stepper.run(60);
         String about = "minute=" + minute + " " + stepper.describe();

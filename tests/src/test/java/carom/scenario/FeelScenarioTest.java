@@ -9,6 +9,7 @@ import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.client.stats.NetStats;
 import carom.fixtures.Levels;
+import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -45,7 +46,7 @@ class FeelScenarioTest {
   void whoPushesCratesPredictsThemInEveryBit(PredictionMode mode, long seed) {
     // Goal: 99 % of the awake bodies at 150 ms and 2 % loss, without foreign contact, and whatever
     // the game does told before it shows as a difference.
-    // Method: a bot alone among the platformer's crates for half a minute, once it has settled.
+    // Method: a bot alone among the platformer's crates for 15 s, once it has settled.
     try (Stepper stepper = Stepper.of("platformer")) {
       SimulatedClient client =
           stepper.add(
@@ -57,11 +58,12 @@ class FeelScenarioTest {
       final long disagreements = stepper.count(Counter.NEAR_DISAGREEMENTS);
       long awake = client.stats().awakeBodies();
       long exact = client.stats().exactBodies();
-      stepper.run(30);
+      double seconds = Slice.of(15, 30);
+      stepper.run(seconds);
       awake = client.stats().awakeBodies() - awake;
       exact = client.stats().exactBodies() - exact;
       String about = "seed=" + seed + " " + exact + " of " + awake + " " + stepper.describe();
-      assertTrue(awake > 1_000, about);
+      assertTrue(awake > 33 * seconds, about);
       assertTrue(exact >= 0.99 * awake, about);
       if (missing == stepper.count(Counter.INPUTS_MISSING)) {
         assertEquals(disagreements, stepper.count(Counter.NEAR_DISAGREEMENTS), about);
@@ -137,8 +139,9 @@ class FeelScenarioTest {
               FAR.withSeed(Stepper.SEED),
               new Bot(1));
       stepper.add("q", Impairment.NONE, new Bot(2));
-      stepper.run(12);
-      assertTrue(client.stats().compared() > 400, stepper.describe());
+      double seconds = Slice.of(7, 12);
+      stepper.run(seconds);
+      assertTrue(client.stats().compared() > 33 * seconds, stepper.describe());
       assertEquals(0, client.stats().syncErrors(), stepper.describe());
     }
   }

@@ -7,6 +7,7 @@ import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.fixtures.ForceGame;
+import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -100,18 +101,19 @@ class ForceScenarioTest {
   @MethodSource("games")
   void whatForcesDoIsPredicted(String what, String more, float gravityY) {
     // Goal: of the awake bodies of the predicted set, 99 % are right in every bit. Method: a
-    // wanderer among crates for half a minute.
+    // wanderer among crates for a quarter of a minute.
     Level level = ForceGame.level(gravityY, more);
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = watch(stepper);
       stepper.run(3);
       final long awake = client.stats().awakeBodies();
       final long exact = client.stats().exactBodies();
-      stepper.run(30);
+      double seconds = Slice.of(15, 30);
+      stepper.run(seconds);
       long awakeBodies = client.stats().awakeBodies() - awake;
       double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
       String about = what + ": right=" + right + " % of " + awakeBodies + " " + stepper.describe();
-      assertTrue(awakeBodies > 3_500, about); // twice as many as states: not the own body alone
+      assertTrue(awakeBodies > 116 * seconds, about); // twice as many as states: not the own alone
       assertTrue(right >= 99, about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
@@ -140,7 +142,7 @@ class ForceScenarioTest {
     // Goal: what no client can predict is told as what it is: nearly no body is wrong without
     // having
     // been told why, and the predicted set is rarely told anew. Method: a wanderer among crates
-    // that the rules push, for half a minute.
+    // that the rules push, for a quarter of a minute.
     String more =
         crates(tag).replace("\"rows\": 2", "\"rows\": " + 2 * tens).replace("1.5, 1.5", "1.5, 1.2");
     Level level = ForceGame.level(-10, thing, more);
@@ -153,7 +155,8 @@ class ForceScenarioTest {
       final long full = stepper.count(Counter.NEAR_DISAGREEMENTS);
       final long updates = stepper.count(Counter.NEAR_UPDATES);
       final long bytes = client.stats().bytesIn();
-      stepper.run(30);
+      double seconds = Slice.of(15, 30);
+      stepper.run(seconds);
       long toldBodies = client.stats().toldBodies() - told;
       long awakeBodies = client.stats().awakeBodies() - awake;
       long wrong = awakeBodies - (client.stats().exactBodies() - exact);
@@ -168,7 +171,7 @@ class ForceScenarioTest {
               toldBodies,
               stepper.count(Counter.NEAR_DISAGREEMENTS) - full,
               stepper.count(Counter.NEAR_UPDATES) - updates,
-              (client.stats().bytesIn() - bytes) * 8 / 30e3);
+              (client.stats().bytesIn() - bytes) * 8 / 1e3 / seconds);
 
       // Of bodies that are pushed in every tick, the loss of both copies of a ruling costs more.
       assertTrue(right >= (tag == ForceGame.PUSHED ? 98 : 99), about);
@@ -223,7 +226,7 @@ class ForceScenarioTest {
         stepper.run(3);
         awake -= client.stats().awakeBodies();
         exact -= client.stats().exactBodies();
-        stepper.run(30);
+        stepper.run(Slice.of(15, 30));
         awake += client.stats().awakeBodies();
         exact += client.stats().exactBodies();
         String about = "run=" + run + " " + stepper.describe();
@@ -241,7 +244,7 @@ class ForceScenarioTest {
       for (int i = 0; i < 5; i++) {
         stepper.add("bot" + i, i == 0 ? FAR : Impairment.NONE, new Bot(i));
       }
-      stepper.run(20);
+      stepper.run(Slice.of(10, 20));
       Findings findings = stepper.room().simulation().findings();
       assertEquals(0, findings.count(), () -> findings.get(0));
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
