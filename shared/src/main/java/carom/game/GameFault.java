@@ -22,7 +22,7 @@ public final class GameFault {
           "carom.client.view.",
           "carom.client.bots.Senses");
 
-  /** What views declare with; packages below it have views. */
+  /** Package of the classes that views call; packages below it have views. */
   private static final String LOOK = "carom.client.look.";
 
   private static final Set<String> CALLBACKS = new TreeSet<>();

@@ -14,7 +14,7 @@ import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.server.ServerConfig;
+import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Match;
 import carom.sim.SetUp;
