@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GameFault;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.server.KryoLimits;
 import carom.net.kryo.server.KryoServerTransport;
@@ -109,7 +110,7 @@ final class ServerStart {
           followed,
           steps::incrementAndGet);
     } catch (IllegalArgumentException e) {
-      throw flags.bad("--level: " + e.getMessage());
+      throw flags.bad(GameFault.refusal(choice.newGame().getClass(), e));
     }
   }
 
@@ -354,7 +355,7 @@ final class ServerStart {
       return opened;
     } catch (IllegalArgumentException e) {
       transport.close();
-      throw flags.bad("--level: " + e.getMessage());
+      throw flags.bad(e.getMessage());
     }
   }
 
