@@ -6,11 +6,15 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 
 /**
  * Warms vector kernels up on a thread of its own. Until they are compiled, all worlds of the JVM
  * step without them: a world's first seconds then neither wait for interpreted kernels nor allocate
  * the objects that these make. The bits are the same.
+ *
+ * <p>It waits until a world of the JVM has a step large enough for kernels. Rooms with a few dozen
+ * bodies never have, and the warm-up would take from their ticks what it couldn't give back.
  *
  * <p>The thread steps a world of its own, which needs all kernels. That world warms them up as any
  * world does in a program without this thread: kernels first, then more and more of its work. What
@@ -28,6 +32,7 @@ final class KernelWarmupThread {
   private final ThreadMXBean threads;
   private final Thread thread = new Thread(this::run, "carom-warm-up");
   private final List<VectorKernels> sets = new CopyOnWriteArrayList<>();
+  private final CountDownLatch wanted = new CountDownLatch(1);
   private volatile boolean ended;
 
   private KernelWarmupThread(ThreadMXBean threads) {
@@ -52,7 +57,8 @@ final class KernelWarmupThread {
         new KernelWarmupThread(counts ? (ThreadMXBean) ManagementFactory.getThreadMXBean() : null);
     if (counts) {
       Thread own = warmup.thread;
-      VectorModule.leaveWarmUpTo(warmup::note, () -> Thread.currentThread() == own);
+      VectorModule.leaveWarmUpTo(
+          warmup::note, () -> Thread.currentThread() == own, warmup.wanted::countDown);
     }
     return warmup;
   }
@@ -83,9 +89,17 @@ final class KernelWarmupThread {
     return !thread.isAlive();
   }
 
+  /** Returns whether a world has wanted kernels. */
+  boolean isWanted() {
+    return wanted.getCount() == 0;
+  }
+
   private void run() {
     try {
+      wanted.await();
       rehearse(new Rehearsal());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     } finally {
       ended = true;
       sets.forEach(VectorKernels::trust);

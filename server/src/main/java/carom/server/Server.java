@@ -127,7 +127,7 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
   private int numbers; // of the rooms so far
   private final LoaderThread loader = new LoaderThread();
   private final SlotDisk disk = new SlotDisk();
-  private CheckpointLock checkpointLock;
+  private FolderLock checkpointLock;
   private Path checkpoints;
   private int checkpointS;
   private volatile boolean gaveUp;
@@ -255,7 +255,7 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
       throw new IllegalArgumentException(
           "seconds=" + seconds + " is outside 1.." + ServerConfig.MAX_CHECKPOINT_S);
     }
-    checkpointLock = CheckpointLock.of(folder);
+    checkpointLock = FolderLock.of(folder, "folder");
     checkpoints = folder;
     checkpointS = seconds;
     for (Room room : rooms) {

@@ -130,6 +130,10 @@ public final class ServerMain implements Callable<Integer> {
   private AccessLists access;
   private LogTail logTail;
   private KernelWarmupThread kernels;
+
+  /** Keeps other servers from the data folder as long as the process runs; null without one. */
+  private FolderLock dataLock;
+
   private PlayPort play; // or null
   private PlainDoor plain; // or null
   private FleetService fleet; // or null
@@ -232,6 +236,10 @@ public final class ServerMain implements Callable<Integer> {
       err.println("carom-server: " + e.getMessage());
       err.flush();
       return FAILED;
+    } finally {
+      if (dataLock != null) {
+        dataLock.close();
+      }
     }
   }
 
@@ -297,7 +305,10 @@ public final class ServerMain implements Callable<Integer> {
     DataFolder data = flags.dataFolder();
     try {
       data.create();
+      dataLock = FolderLock.of(data.root(), "data");
       LogFiles.begin(logging, data.logs(), flags.get(ServerConfig.LOG_KEEP));
+    } catch (FolderLock.TakenException e) {
+      throw new StartFailure(e.getMessage(), e);
     } catch (IOException e) {
       if (flags.isSet(ServerConfig.DATA)) {
         throw new StartFailure(e.getMessage(), e);

@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.game.GameFault;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.server.KryoLimits;
 import carom.net.kryo.server.KryoServerTransport;
@@ -109,7 +110,7 @@ final class ServerStart {
           followed,
           steps::incrementAndGet);
     } catch (IllegalArgumentException e) {
-      throw flags.bad("--level: " + e.getMessage());
+      throw flags.bad(GameFault.refusal(choice.newGame().getClass(), e));
     }
   }
 
@@ -128,7 +129,7 @@ final class ServerStart {
     }
     server = openRooms(rooms, transport);
     if (fleet != null) {
-      server.fleet(fleet.member());
+      server.fleet(fleet.member().door());
     }
     compareWithOpenFiles(RoomConfig.places(rooms));
     SessionMemory.touch(RoomConfig.places(rooms));
@@ -354,7 +355,7 @@ final class ServerStart {
       return opened;
     } catch (IllegalArgumentException e) {
       transport.close();
-      throw flags.bad("--level: " + e.getMessage());
+      throw flags.bad(e.getMessage());
     }
   }
 
@@ -412,6 +413,10 @@ final class ServerStart {
     }
     try {
       boolean own = store.equals(ServerConfig.STORE.initial());
+      if (own && !Files.isWritable(flags.dataFolder().root())) {
+        log.warn("accounts: nobody is remembered without a data folder");
+        return;
+      }
       JdbcAccounts accounts =
           own ? JdbcAccounts.file(flags.dataFolder().accounts()) : JdbcAccounts.postgres(store);
       if (own && FleetFlags.isFleet(config)) {

@@ -58,7 +58,7 @@ final class Sidecar {
   Sidecar(int port, int deadlineMs) {
     base = URI.create("http://localhost:" + port);
     this.deadlineMs = deadlineMs;
-    client = HttpClients.direct("carom-agones-http", deadlineMs).build();
+    client = HttpClients.direct("carom-agones-http", Thread.NORM_PRIORITY, deadlineMs).build();
   }
 
   private HttpRequest request(String method, String path, String body) {

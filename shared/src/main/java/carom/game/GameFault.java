@@ -10,7 +10,20 @@ import java.util.TreeSet;
 public final class GameFault {
   /** Packages that other code calls: the line that is to blame stands above these in a stack. */
   private static final List<String> LIBRARIES =
-      List.of("java.", "javax.", "jdk.", "sun.", "carom.physics.", "carom.sim.");
+      List.of(
+          "java.",
+          "javax.",
+          "jdk.",
+          "sun.",
+          "carom.physics.",
+          "carom.sim.",
+          "carom.text.",
+          "carom.client.field.",
+          "carom.client.view.",
+          "carom.client.bots.Senses");
+
+  /** Package of the classes that views call; packages below it have views. */
+  private static final String LOOK = "carom.client.look.";
 
   private static final Set<String> CALLBACKS = new TreeSet<>();
 
@@ -24,7 +37,7 @@ public final class GameFault {
 
   /**
    * Returns what was thrown and where: its class and message, and class, method and line of the
-   * innermost code that belongs neither to the JDK nor to the engine.
+   * innermost code that belongs neither to the JDK nor to what games and views call.
    */
   public static String describe(Throwable failure) {
     StackTraceElement[] stack = failure.getStackTrace();
@@ -36,13 +49,31 @@ public final class GameFault {
     return failure + (stack.length == 0 ? "" : ", at " + place(stack[0]));
   }
 
+  /**
+   * Returns why a game can't be set up: the message of what was thrown. If what the game called
+   * threw it, it is about the game's code, so class, method and line of that follow.
+   *
+   * @param type class of the game
+   */
+  public static String refusal(Class<?> type, IllegalArgumentException refused) {
+    StackTraceElement[] stack = refused.getStackTrace();
+    int caller = 0;
+    while (caller < stack.length && isOfLibrary(stack[caller].getClassName())) {
+      caller++;
+    }
+    String home = type.getPackageName() + ".";
+    boolean isGames =
+        caller > 0 && caller < stack.length && stack[caller].getClassName().startsWith(home);
+    return refused.getMessage() + (isGames ? ", at " + place(stack[caller]) : "");
+  }
+
   private static boolean isOfLibrary(String name) {
     for (String library : LIBRARIES) {
       if (name.startsWith(library)) {
         return true;
       }
     }
-    return false;
+    return name.startsWith(LOOK) && name.indexOf('.', LOOK.length()) < 0;
   }
 
   private static String place(StackTraceElement frame) {

@@ -571,7 +571,7 @@ public final class SimulationHost implements Match, Rules {
   public void watchRules(RuleWatch watch) {
     parts.entities.watch(watch);
     parts.fields.ruleWrites(
-        watch == null ? null : values -> watch.changes(parts.allFields.playerOf(values)));
+        watch == null ? null : values -> watch.changes(parts.allFields.playerOf(values), false));
   }
 
   /**

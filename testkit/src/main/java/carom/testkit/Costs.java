@@ -1,5 +1,6 @@
 package carom.testkit;
 
+import carom.client.stats.NetStats;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
 import carom.sim.phase.RuleWatch;
@@ -14,15 +15,21 @@ import java.util.TreeMap;
 /**
  * Finds out why clients shifted their players' own bodies while bots play a game. Each time, the
  * cause is looked for in the ticks since the snapshot before: a line of the game's rules that
- * changed the player's bodies or fields, also once only; an input that came too late; else the
- * bodies near it. One simulated world's; one thread.
+ * changed the player's bodies or fields, also once only; an input that came too late; inputs of
+ * players near it that were told after they counted; a line that changed bodies near it; else what
+ * came near. One simulated world's; one thread.
  */
 final class Costs implements RuleWatch {
   /** A cause of shifts of own bodies, and how often it was one. */
   record Cost(String cause, long times) {}
 
   private static final String LATE = "own inputs that came too late";
+  private static final String INPUTS = "inputs of other players, told after they counted";
   private static final String OTHERS = "others' bodies";
+
+  /** Ticks after which word of what the rules did has come. */
+  private static final int MOST_TICKS = 300;
+
   private static final String ALONE = "what was not told in time";
 
   /** Holds what is known of one player. */
@@ -34,12 +41,18 @@ final class Costs implements RuleWatch {
     int comparedTick;
     long shifts;
     long missing;
+    long otherInputs;
+    long rulings;
   }
 
   private final Stepper world;
   private final GameCode code;
   private final StackWalker stack = StackWalker.getInstance();
   private final Map<Integer, Watched> players = new HashMap<>();
+
+  /** By tick: the first line of the rules that changed an entity. */
+  private final TreeMap<Integer, String> elsewhere = new TreeMap<>();
+
   private final Map<String, Long> times = new TreeMap<>();
   private SimulationHost watched;
 
@@ -59,6 +72,7 @@ final class Costs implements RuleWatch {
       watched = world.room().simulation();
       watched.watchRules(this);
       players.clear();
+      elsewhere.clear();
     }
     for (SimulatedClient client : world.clients()) {
       HostPlayer player = world.player(client);
@@ -77,14 +91,16 @@ final class Costs implements RuleWatch {
     int tick = client.game().decoder().newestTick();
     long shifts = client.stats().shifts();
     if (shifts > of.shifts && !isNew) {
-      times.merge(cause(of, tick, client.stats().nearBodies()), shifts - of.shifts, Long::sum);
+      times.merge(cause(of, tick, client.stats()), shifts - of.shifts, Long::sum);
     }
     of.shifts = shifts;
+    of.otherInputs = client.stats().otherInputs();
+    of.rulings = client.stats().rulings();
     of.comparedTick = Math.max(of.comparedTick, tick);
     of.lines.headMap(of.comparedTick - 1).clear();
   }
 
-  private String cause(Watched of, int tick, int nearBodies) {
+  private String cause(Watched of, int tick, NetStats now) {
     // what was done after a step shows in the tick after it
     Map<Integer, String> since = of.lines.subMap(of.comparedTick - 1, true, tick, true);
     if (!since.isEmpty()) {
@@ -93,7 +109,14 @@ final class Costs implements RuleWatch {
     if (of.lateTick >= of.comparedTick && of.lateTick <= tick) {
       return LATE;
     }
-    return nearBodies > 1 ? OTHERS : ALONE;
+    if (now.otherInputs() > of.otherInputs) {
+      return INPUTS;
+    }
+    var line = elsewhere.floorEntry(tick);
+    if (now.rulings() > of.rulings && line != null) {
+      return OTHERS + " by " + line.getValue();
+    }
+    return now.nearBodies() > 1 ? OTHERS : ALONE;
   }
 
   private Watched of(int playerId) {
@@ -101,9 +124,13 @@ final class Costs implements RuleWatch {
   }
 
   @Override
-  public void changes(int playerId) {
+  public void changes(int playerId, boolean isEntity) {
     if (playerId >= 0) {
       of(playerId).lines.computeIfAbsent(watched.tick(), tick -> line());
+    }
+    if (isEntity) {
+      elsewhere.headMap(watched.tick() - MOST_TICKS).clear();
+      elsewhere.computeIfAbsent(watched.tick(), tick -> line());
     }
   }
 

@@ -75,6 +75,8 @@ final class GameExamplesTest {
         static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");
         static final Flag SCOPE = Field.flag("scope");
+        static final PlayerRef TURN = Field.player("turn");
+        static final EntityRef BALL = Field.entity("ball");
         static final Choice<Phase> PHASE = Field.choice("phase", Phase.class);
         Simulation s;
         Match m;
@@ -175,6 +177,25 @@ final class GameExamplesTest {
     ToolProvider.getSystemJavaCompiler()
         .run(null, null, errors, "-proc:none", "-cp", classPath, file.toString());
     return errors.toString(StandardCharsets.UTF_8);
+  }
+
+  /** Readers without an editor that completes imports have only the pages. */
+  @Test
+  void thePagesNameThePackagesOfTheirExamples() throws IOException {
+    StringBuilder pages = new StringBuilder();
+    for (String page : PAGES) {
+      pages.append(Files.readString(Path.of("../docs").resolve(page)));
+    }
+    Matcher imported = Pattern.compile("import (carom[a-z.]*)\\.[*A-Z]").matcher(HEAD);
+    int packages = 0;
+    while (imported.find()) {
+      packages++;
+      String name = Pattern.quote(imported.group(1));
+      assertTrue(
+          Pattern.compile("`" + name + "`|\\b" + name + "\\.[A-Z]").matcher(pages).find(),
+          () -> "no page says what is in " + name);
+    }
+    assertTrue(packages > 10, "packages=" + packages);
   }
 
   @Test

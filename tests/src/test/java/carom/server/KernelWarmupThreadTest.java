@@ -17,6 +17,7 @@ class KernelWarmupThreadTest {
     long before = hash();
     KernelWarmupThread warmup = KernelWarmupThread.prepare();
     assertEquals(before, hash(), "without vectors");
+    assertTrue(warmup.isWanted(), "by a world of 2,000 bodies");
     warmup.begin();
     long begin = System.nanoTime();
     int runs = 0;

@@ -564,7 +564,9 @@ class ServerMainTest {
         READY.matcher(String.valueOf(first.inputReader(StandardCharsets.UTF_8).readLine()));
     assertTrue(ready.matches(), err());
     String tcp = ready.group(1);
-    String error = fails(1, "--tcp-port", tcp, "--udp-port", "0", "--log-level", "off");
+    String other = folder.resolve("other").toString();
+    String error =
+        fails(1, "--tcp-port", tcp, "--udp-port", "0", "--log-level", "off", "--data", other);
     assertTrue(error.contains(tcp), error);
     assertTrue(error.contains("--tcp-port"), error);
     assertTrue(first.isAlive());

@@ -243,7 +243,7 @@ public final class PlaygroundBrain extends GradedBrain {
       return;
     }
     FieldView keeper = s.view().match().get(PlaygroundFields.KEEPER);
-    if (keeper != null && keeper.reference() == s.player().reference()) {
+    if (keeper != null && keeper.id() == s.view().playerId()) {
       flee(s, out);
       out.aim(s.direction(star)).hold(Input.ACTION, true);
       return;

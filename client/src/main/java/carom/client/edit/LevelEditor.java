@@ -5,6 +5,7 @@ import carom.game.GameFault;
 import carom.game.Games;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.level.CheckedLevel;
@@ -114,12 +115,14 @@ public final class LevelEditor {
   }
 
   private List<Problem> ofGame() {
+    Class<?> type = Game.class;
     try {
-      new SimulationHost(
-          Games.create(checked.level().gameName()), checked.level(), 0, TICK_RATE, Role.AUTHORITY);
+      Game game = Games.create(checked.level().gameName());
+      type = game.getClass();
+      new SimulationHost(game, checked.level(), 0, TICK_RATE, Role.AUTHORITY);
       return List.of();
     } catch (IllegalArgumentException e) {
-      return List.of(new Problem(null, String.valueOf(e.getMessage())));
+      return List.of(new Problem(null, GameFault.refusal(type, e)));
     } catch (RuntimeException | LinkageError | AssertionError | StackOverflowError e) {
       return List.of(new Problem(null, "the game's set-up fails: " + GameFault.describe(e)));
     }

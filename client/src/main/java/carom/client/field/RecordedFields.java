@@ -36,24 +36,24 @@ public final class RecordedFields implements ShownFields {
 
   @Override
   public FieldView match() {
-    return view(Scope.MATCH, 0, simulation.fieldValues());
+    return view(Scope.MATCH, -1, simulation.fieldValues());
   }
 
   @Override
   public FieldView player(int id) {
     HostPlayer player = simulation.player(id);
-    return view(Scope.PLAYER, id + 1, player == null ? null : player.fieldValues());
+    return view(Scope.PLAYER, id, player == null ? null : player.fieldValues());
   }
 
   @Override
   public FieldView entity(int id, int generation) {
     HostEntity entity = simulation.entity(id);
     boolean same = entity != null && entity.generation() == generation;
-    return view(Scope.ENTITY, 0, same ? entity.fieldValues() : null);
+    return view(Scope.ENTITY, id, same ? entity.fieldValues() : null).of(id, generation);
   }
 
-  private FieldView view(Scope scope, int reference, FieldValues values) {
-    FieldView view = new FieldView(store, scope, reference);
+  private FieldView view(Scope scope, int id, FieldValues values) {
+    FieldView view = new FieldView(store, scope, id);
     for (int i = 0; values != null && i < values.size(); i++) {
       view.fieldValues().mirror(i, values.word(i));
     }

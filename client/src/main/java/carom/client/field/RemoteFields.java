@@ -42,8 +42,8 @@ public final class RemoteFields implements ShownFields {
         new FieldTables(schema, ProtocolLimits.MAX_PLAYERS, ProtocolLimits.MAX_ENTITIES);
     inbox = new TableInbox(tables.layouts().toArray(new TableLayout[0]));
     store = new FieldStore(schema, clock, new Finder(), new Phases<>(true));
-    match = new FieldView(store, Scope.MATCH, 0);
-    provisional = new FieldView(store, Scope.ENTITY, 0);
+    match = new FieldView(store, Scope.MATCH, -1);
+    provisional = new FieldView(store, Scope.ENTITY, -1);
   }
 
   private final class Finder implements FieldStore.References<FieldView, FieldView> {
@@ -122,7 +122,7 @@ public final class RemoteFields implements ShownFields {
       players = Arrays.copyOf(players, Math.max(id + 1, 2 * players.length));
     }
     if (players[id] == null) {
-      players[id] = new FieldView(store, Scope.PLAYER, id + 1);
+      players[id] = new FieldView(store, Scope.PLAYER, id);
     }
     return players[id];
   }
@@ -131,9 +131,9 @@ public final class RemoteFields implements ShownFields {
   @Override
   public FieldView entity(int id, int generation) {
     if (Origin.isProvisional(id)) {
-      return provisional;
+      return provisional.of(id, generation);
     }
-    FieldView view = entityView(id);
+    FieldView view = entityView(id).of(id, generation);
     if (view != ownBody || generation != ownGeneration) {
       load(view, Scope.ENTITY, id, generation);
     }
@@ -145,7 +145,7 @@ public final class RemoteFields implements ShownFields {
       entities = Arrays.copyOf(entities, Math.max(id + 1, 2 * entities.length));
     }
     if (entities[id] == null) {
-      entities[id] = new FieldView(store, Scope.ENTITY, 0);
+      entities[id] = new FieldView(store, Scope.ENTITY, id);
     }
     return entities[id];
   }

@@ -2,12 +2,14 @@ package carom.client.look;
 
 import carom.physics.math.Limits;
 import carom.sim.field.Countdown;
+import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
+import carom.sim.field.PlayerRef;
 
 /**
- * A line of the own player's panel, from a field of the game: a bar, a number, a time, or icons.
- * Lines of a view take the place of the game's own bars and numbers. Each method changes it and
- * returns it.
+ * A line of the own player's panel, from a field of the game: a bar, a number, a time, a word, or
+ * icons. Lines of a view take the place of the game's own bars and numbers. Each method changes it
+ * and returns it.
  *
  * <pre>{@code
  * v.hud(
@@ -26,7 +28,9 @@ public final class HudItem {
     /** The seconds of a countdown, or of a number of seconds. */
     TIME,
     /** A picture for each unit of the value. */
-    ICONS
+    ICONS,
+    /** A choice's constant, or the name of a player. */
+    WORD
   }
 
   /** A place at the edge, which has one panel for its lines. It gives way to the own body. */
@@ -57,6 +61,14 @@ public final class HudItem {
     this.kind = kind;
     this.label = Limits.notNull("label", label);
     value = ShownValue.of(field);
+    boolean isReference = field instanceof PlayerRef || field instanceof EntityRef;
+    if (kind == Kind.WORD ? !value.isWord() : isReference) {
+      throw new IllegalArgumentException(
+          (kind == Kind.WORD ? "a word" : "a number")
+              + " can't show "
+              + field.path()
+              + "; word shows choices and players, the others show what counts");
+    }
   }
 
   /** Returns a bar: of a share as it is, of a count from its least to its greatest value. */
@@ -78,12 +90,17 @@ public final class HudItem {
     return new HudItem(Kind.TIME, label, field);
   }
 
+  /** Returns a choice's constant in lower case, or the name of the player that a field means. */
+  public static HudItem word(String label, Field<?> field) {
+    return new HudItem(Kind.WORD, label, field);
+  }
+
   /** Returns as many pictures as the value says, up to {@link #MAX_ICONS}. */
   public static HudItem icons(String file, Field<?> field) {
     return new HudItem(Kind.ICONS, file, field);
   }
 
-  /** Shows it only while a field is other than 0. */
+  /** Shows it only while a field is other than 0, or means a player or an entity. */
   public HudItem whileSet(Field<?> field) {
     condition = ShownValue.of(field);
     return this;

@@ -2,9 +2,11 @@ package carom.client.look;
 
 import carom.sim.field.Choice;
 import carom.sim.field.Countdown;
+import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
 import carom.sim.field.FloatField;
+import carom.sim.field.PlayerRef;
 import carom.sim.field.Ratio;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -240,9 +242,11 @@ final class LookWriter {
             ? "COUNTDOWN"
             : field instanceof Flag
                 ? "FLAG"
-                : field instanceof Choice<?>
-                    ? "CHOICE"
-                    : field instanceof Ratio ? "RATIO" : real ? "REAL" : "COUNT");
+                : field instanceof PlayerRef || field instanceof EntityRef
+                    ? "REFERENCE"
+                    : field instanceof Choice<?>
+                        ? "CHOICE"
+                        : field instanceof Ratio ? "RATIO" : real ? "REAL" : "COUNT");
     json.writeNumberField("least", real ? 0 : field.min());
     json.writeNumberField("most", real ? 1 : field.max());
     if (field instanceof Choice<?>) {

@@ -7,14 +7,18 @@ import carom.physics.math.Limits;
 import carom.sim.event.Audience;
 import carom.sim.field.Choice;
 import carom.sim.field.Count;
+import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.Flag;
 import carom.sim.field.FloatField;
 import carom.sim.field.IntField;
+import carom.sim.field.PlayerRef;
+import java.util.Locale;
 
 /**
  * Reads a field of a game as a number, for what a view shows by it: a count or the ticks of a
- * countdown, 0 or 1 of a flag, the number of a choice's constant. Immutable.
+ * countdown, 0 or 1 of a flag, the number of a choice's constant, 1 while a field means a player or
+ * an entity; or as a word, if it is a choice or a player. Immutable.
  */
 public final class ShownValue {
   private final Field<?> field;
@@ -26,17 +30,20 @@ public final class ShownValue {
   /**
    * Returns what reads a field.
    *
-   * @throws IllegalArgumentException for a field that no player is told, or that is no number
+   * @throws IllegalArgumentException for a field that no player is told, or that has several values
    */
   public static ShownValue of(Field<?> field) {
-    boolean isNumber =
-        Limits.notNull("field", field) instanceof IntField<?>
-            || field instanceof FloatField<?>
-            || field instanceof Flag
-            || field instanceof Choice<?>;
-    if (!isNumber || field.audience() == Audience.NOBODY) {
+    if (Limits.notNull("field", field).audience() == Audience.NOBODY) {
       throw new IllegalArgumentException(
-          "a view can't show " + field.path() + (isNumber ? ": no player is told it" : ""));
+          "a view can't show " + field.path() + ": no player is told it");
+    }
+    if (field.times() > 1) {
+      throw new IllegalArgumentException(
+          "a view can't show "
+              + field.path()
+              + ", which has "
+              + field.times()
+              + " values; declare a field for the one to show, or paint it");
     }
     return new ShownValue(field);
   }
@@ -53,13 +60,15 @@ public final class ShownValue {
    * @param body whose value it is, for a field of entities; null for none
    */
   public float number(ClientView view, int player, Drawn body) {
-    if (!view.knowsFields()) {
-      return 0;
-    }
+    FieldView holder = view.knowsFields() ? holder(view, player, body) : null;
+    return holder == null ? 0 : number(holder);
+  }
+
+  private FieldView holder(ClientView view, int player, Drawn body) {
     return switch (field.scope()) {
-      case MATCH -> number(view.match());
-      case PLAYER, ACCOUNT -> player < 0 ? 0 : number(view.player(player));
-      case ENTITY -> body == null ? 0 : number(view.fields(body));
+      case MATCH -> view.match();
+      case PLAYER, ACCOUNT -> player < 0 ? null : view.player(player);
+      case ENTITY -> body == null ? null : view.fields(body);
     };
   }
 
@@ -70,13 +79,38 @@ public final class ShownValue {
     if (field instanceof FloatField<?> real) {
       return holder.get(real);
     }
-    return field instanceof Flag flag ? (holder.get(flag) ? 1 : 0) : ordinal(holder, field);
+    if (field instanceof Flag flag) {
+      return holder.get(flag) ? 1 : 0;
+    }
+    if (field instanceof Choice<?> choice) {
+      return holder.get(choice).ordinal();
+    }
+    boolean isSet =
+        field instanceof PlayerRef player
+            ? holder.get(player) != null
+            : holder.get((EntityRef) field) != null;
+    return isSet ? 1 : 0;
   }
 
-  private static <E extends Enum<E>> int ordinal(FieldView holder, Field<?> field) {
-    @SuppressWarnings("unchecked") // of() lets no other kind through
-    Choice<E> choice = (Choice<E>) field;
-    return holder.get(choice).ordinal();
+  /** Returns whether the value is a word: a choice's constant, or a player's name. */
+  public boolean isWord() {
+    return field instanceof Choice<?> || field instanceof PlayerRef;
+  }
+
+  /**
+   * Returns a choice's constant in lower case, or the name of the player that a field means; empty
+   * for what isn't there.
+   */
+  public String word(ClientView view, int player, Drawn body) {
+    FieldView holder = view.knowsFields() ? holder(view, player, body) : null;
+    if (holder == null) {
+      return "";
+    }
+    if (field instanceof Choice<?> choice) {
+      return holder.get(choice).name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+    FieldView meant = holder.get((PlayerRef) field);
+    return meant == null ? "" : view.playerName(meant.id());
   }
 
   /**

@@ -96,7 +96,10 @@ final class Reconciler {
     if (changed < timeline.tick()) {
       ruled = Math.min(ruled, Math.max(changed, oldest) + 1);
     }
-    int mispredicted = Math.min(ruled, inputs.firstMispredicted(oldest, timeline.tick()));
+    int otherInput = inputs.firstMispredicted(oldest, timeline.tick());
+    result.ruled = ruled <= timeline.tick();
+    result.otherInputs = otherInput <= timeline.tick();
+    int mispredicted = Math.min(ruled, otherInput);
     int from = rewind(mispredicted, present);
     if (from < 0 && tick > timeline.tick()) {
       timeline.skipTo(tick); // the server is ahead: this tick was never predicted

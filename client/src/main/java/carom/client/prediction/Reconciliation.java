@@ -17,6 +17,8 @@ public final class Reconciliation {
   int exactBodies;
   int toldBodies;
   boolean told;
+  boolean otherInputs;
+  boolean ruled;
   int replayedTicks;
   int rolledBackTicks;
   long replayNs;
@@ -71,6 +73,16 @@ public final class Reconciliation {
    */
   public int toldBodies() {
     return toldBodies;
+  }
+
+  /** Returns whether an input came that differs from the one that was predicted in its place. */
+  public boolean otherInputs() {
+    return otherInputs;
+  }
+
+  /** Returns whether word came of what the game's rules did in a tick that was predicted. */
+  public boolean ruled() {
+    return ruled;
   }
 
   /** Returns how many awake bodies of the predicted set were compared. */

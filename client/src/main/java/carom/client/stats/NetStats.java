@@ -177,6 +177,16 @@ public final class NetStats {
     return prediction.shifts;
   }
 
+  /** Returns how often inputs came that differ from those that were predicted in their place. */
+  public long otherInputs() {
+    return prediction.otherInputs;
+  }
+
+  /** Returns how often word came of what the game's rules did in ticks that were predicted. */
+  public long rulings() {
+    return prediction.rulings;
+  }
+
   /** Returns the mean distance of all corrections of the own body, metres. */
   public double correctionMeanMetres() {
     return prediction.correctionCount == 0

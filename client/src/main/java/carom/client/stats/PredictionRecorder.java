@@ -28,6 +28,8 @@ final class PredictionRecorder {
   long replaysCutShort;
   long syncErrors;
   long shifts;
+  long otherInputs;
+  long rulings;
   long correctionCount;
   double correctionMetres;
   double largestCorrection;
@@ -50,6 +52,8 @@ final class PredictionRecorder {
       longestRollback = Math.max(longestRollback, result.rolledBackTicks());
       replays.add(result.replayNs() / 1e6f);
     }
+    otherInputs += result.otherInputs() ? 1 : 0;
+    rulings += result.ruled() ? 1 : 0;
     shifts += result.shiftMetres() > LEAST_SHIFT ? 1 : 0;
     if (result.corrected()) {
       double metres = result.correctionMetres();

@@ -389,6 +389,17 @@ public final class ClientView {
     return joints.get(index);
   }
 
+  /**
+   * Returns the visible entity that has these fields, such as the one that a field of the game
+   * means; null if it isn't visible.
+   *
+   * @param fields null for none
+   */
+  public Drawn find(FieldView fields) {
+    Drawn found = fields == null ? null : find(fields.id());
+    return found != null && found.generation() == fields.generation() ? found : null;
+  }
+
   /** Returns the visible entity with this id, or null. */
   public Drawn find(int id) {
     compose();

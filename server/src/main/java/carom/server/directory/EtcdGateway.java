@@ -69,11 +69,24 @@ final class EtcdGateway {
   EtcdGateway(List<URI> urls, SSLContext tls, int deadlineMs) {
     this.urls = List.copyOf(urls);
     this.deadlineMs = deadlineMs;
-    HttpClient.Builder builder = HttpClients.direct("carom-directory-http", CONNECT_MS);
+    HttpClient.Builder builder =
+        HttpClients.direct("carom-directory-http", Thread.MAX_PRIORITY, CONNECT_MS);
     if (tls != null) {
       builder.sslContext(tls);
     }
-    client = builder.build();
+    client = preferred(builder);
+  }
+
+  /** Builds a client whose own thread doesn't wait for rooms that tick: rooms wait for it. */
+  private static HttpClient preferred(HttpClient.Builder builder) {
+    Thread self = Thread.currentThread();
+    int priority = self.getPriority();
+    self.setPriority(Thread.MAX_PRIORITY); // the client's thread begins with that of its maker
+    try {
+      return builder.build();
+    } finally {
+      self.setPriority(priority);
+    }
   }
 
   /** Returns the time at which a call that begins now must have its answer. */

@@ -35,6 +35,7 @@ final class EtcdWatch implements Runnable {
     this.gateway = gateway;
     this.watch = watch;
     thread.setDaemon(true);
+    thread.setPriority(Thread.MAX_PRIORITY); // players of a room without an owner wait for it
   }
 
   void start() {

@@ -1,8 +1,5 @@
 package carom.server.fleet;
 
-import carom.net.protocol.ProtocolLimits;
-import carom.net.protocol.ServerMessage;
-import carom.net.transport.Link;
 import carom.server.access.SharedList;
 import carom.server.command.SaveSource;
 import carom.server.config.DataFolder;
@@ -11,8 +8,6 @@ import carom.server.directory.Directory;
 import carom.server.directory.DirectoryException;
 import carom.server.room.FleetDoor;
 import carom.server.room.FleetRoom;
-import carom.server.room.RoomOffer;
-import carom.server.room.RoomSearch;
 import carom.server.session.Ownership;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -24,38 +19,27 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
-import java.util.concurrent.Future;
-import java.util.concurrent.FutureTask;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * A server's part in its fleet: it holds the server's lease and the claims of its rooms, tells the
- * directory about them, takes over rooms that have lost their owner, and shows the lobby the rooms
- * of the others.
+ * directory about them, and takes over rooms that have lost their owner.
  *
- * <p>{@link #turn} does what is due, on one thread, and never waits for a room. {@link FleetDoor}'s
- * methods are for any thread.
+ * <p>{@link #turn} does what is due, on one thread, and never waits for a room.
  */
-public final class FleetMember implements FleetDoor, AutoCloseable {
+public final class FleetMember implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(FleetMember.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long RENEW_NS = 400 * NS_PER_MS;
   private static final long PUBLISH_NS = 250 * NS_PER_MS;
-  private static final long SERVER_NS = 4 * PUBLISH_NS;
 
   /** Time for which a claim may be this server's before it knows, ns: longer than any call. */
   private static final long STRAY_NS = 5_000 * NS_PER_MS;
 
   /** Most rooms with equal settings that a fleet can number. */
   private static final int MAX_NUMBERED = 100_000;
-
-  /** Loads are told in steps of so many percent, so that entries rest while rooms do. */
-  private static final int LOAD_STEP = 10;
-
-  /** Steps in which this server's load is told, percent. */
-  private static final int SHARE_STEP = 5;
 
   private final CountedDirectory directory;
   private final FleetSettings settings;
@@ -67,9 +51,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Lease lease;
   private final Claims claims;
   private final FleetView view;
-  private final Tickets tickets;
-  private final Parties parties;
   private final Following following;
+  private final Placement placement;
+  private final Announcer announcer;
 
   /** Rooms with which this server is about to go on. */
   private final Set<String> returning = ConcurrentHashMap.newKeySet();
@@ -77,30 +61,19 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private final Set<Long> dead = ConcurrentHashMap.newKeySet();
   private final Runnable changed;
 
-  /** Places that were promised since a room's owner told how many are taken. */
-  private final Map<String, Promise> promised = new ConcurrentHashMap<>();
-
-  private record Promise(int taken, int count) {}
-
   /** When rooms were first seen that are claimed by this server and aren't here. */
   private final Map<String, Long> strays = new HashMap<>();
 
   private FleetLists lists; // or null
   private volatile FleetSaves saves;
   private Peers peers;
-  private volatile String peerAddress = "";
   private Followers followers;
   private Takeovers takeovers;
   private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
-  private volatile List<Looker> lookers = List.of();
   private final Balance balance = new Balance();
   private long renewNs;
-  private long serverNumber;
-  private String serverTold = "";
-  private volatile long serverNextNs;
   private long straysNextNs;
-  private long clientsNextNs;
   private long listsNextNs;
   private boolean away;
   private volatile boolean closed;
@@ -131,9 +104,18 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     news = new FleetNews(clock, settings.name());
     claims = new Claims(this.directory, lease, news);
     view = new FleetView(directory, clock, changed, news);
-    tickets = new Tickets(this.directory);
-    parties = new Parties(this.directory);
     following = new Following(settings.followed());
+    placement =
+        new Placement(
+            this.directory,
+            settings,
+            view,
+            lease,
+            following,
+            returning,
+            asks,
+            this::lookersChanged);
+    announcer = new Announcer(this.directory, settings, clock, lease, claims, view, placement);
     figures =
         new FleetFigures(
             view,
@@ -196,7 +178,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    */
   public void reachesBy(Peers newPeers, String address) {
     peers = newPeers;
-    peerAddress = address;
+    announcer.reachedAt(address);
   }
 
   /**
@@ -212,6 +194,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Finds saves in a data folder, for this server and the others; before {@link #join}. */
   void keepsSaves(DataFolder data) {
     saves = new FleetSaves(data, view, peers, lease);
+  }
+
+  /** Returns what shows the rest of the fleet to lobby and rooms. */
+  public FleetDoor door() {
+    return placement;
+  }
+
+  private void lookersChanged() {
+    announcer.soon(PUBLISH_NS);
+    changed.run();
   }
 
   /** Returns the saves of the other servers. */
@@ -233,8 +225,8 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     long askedNs = clock.getAsLong();
     lease.renewed(directory.lease(Lease.TTL_MS), askedNs);
     renewNs = askedNs + RENEW_NS;
-    serverNumber = 0;
-    tellServer(askedNs);
+    announcer.begin();
+    announcer.tellServer(host, draining, askedNs);
   }
 
   /**
@@ -321,16 +313,16 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       if (lease.number() != 0 && host != null) {
         bury();
         takeovers.turn(nowNs, draining); // at once: their players wait
-        tellServer(nowNs);
+        announcer.tellServer(host, draining, nowNs);
         Map<String, FleetRoom> rooms = new HashMap<>();
         host.rooms().forEach(room -> rooms.put(room.name(), room));
         if (!draining) {
           balance(host.rooms(), nowNs);
         }
         followers.turn(rooms, draining, nowNs);
-        tellRooms(rooms, nowNs);
+        announcer.tellRooms(rooms, nowNs, this::isHindered, this::lose);
         forgetStrays(nowNs);
-        tellClients(rooms, nowNs);
+        announcer.tellClients(rooms, nowNs);
         if (lists != null && nowNs - listsNextNs >= 0) {
           listsNextNs = nowNs + 2 * PUBLISH_NS;
           asks.execute(lists::agree);
@@ -356,7 +348,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
    * dead: then this one knows before it renews again that its rooms are others'.
    */
   private boolean isTakenForDead() {
-    return serverNumber != 0 && host != null && !view.servers().containsKey(lease.number());
+    return announcer.isKnown() && host != null && !view.servers().containsKey(lease.number());
   }
 
   private void renew() throws DirectoryException {
@@ -376,6 +368,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
       peers.reached().forEach(peers::forget);
     }
     join();
+    if (takeovers != null) {
+      takeovers.cameBack(clock.getAsLong());
+    }
     for (Claims.Claim claim : claims.all()) {
       claim.follower = 0;
       if (!claims.renew(claim)) {
@@ -385,6 +380,11 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (host != null) {
       host.rooms().forEach(FleetRoom::ownershipChanged);
     }
+  }
+
+  /** Returns whether the lease must be renewed, or rooms without an owner wait. */
+  private boolean isHindered() {
+    return clock.getAsLong() - renewNs >= 0 || !dead.isEmpty();
   }
 
   private void lose(Claims.Claim claim) {
@@ -398,51 +398,14 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Ends the leases of servers whose processes are dead, so that nobody waits for them. */
   private void bury() throws DirectoryException {
     for (long server : Set.copyOf(dead)) {
+      view.bury(server);
       if (view.servers().containsKey(server)) {
         LOG.warn("fleet: server {} is dead", view.servers().get(server).name());
         directory.revoke(server);
+        view.revoked(server);
       }
       dead.remove(server);
     }
-  }
-
-  private void tellServer(long nowNs) throws DirectoryException {
-    if (nowNs - serverNextNs < 0 && serverNumber != 0) {
-      return;
-    }
-    serverNextNs = nowNs + SERVER_NS;
-    ServerRecord record =
-        new ServerRecord(
-            lease.number(),
-            settings.name(),
-            settings.address(),
-            settings.play(),
-            settings.plain(),
-            peerAddress,
-            host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
-            lookers,
-            draining);
-    String value = record.toJson();
-    if (serverNumber == 0) {
-      serverNumber = directory.create(record.key(), value, lease.number());
-      serverTold = value;
-    } else if (!value.equals(serverTold)) {
-      directory.update(record.key(), value, serverNumber);
-      serverTold = value;
-    }
-  }
-
-  /** Returns the part of this server's processors that the ticks of rooms take, percent. */
-  private double share(List<? extends FleetRoom> rooms) {
-    double share = 0;
-    for (FleetRoom room : rooms) {
-      share += room.loadPercent() / (double) settings.processors();
-    }
-    return Math.min(Balance.FULL_PERCENT, share);
-  }
-
-  private static int stepped(double load, int step) {
-    return (int) load / step * step;
   }
 
   /** Gives a room to a server that has less to do, if this one has much to do. */
@@ -457,7 +420,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     }
     List<ServerRecord> others = new ArrayList<>();
     for (ServerRecord server : view.servers().values()) {
-      if (takesRooms(server) && peers.isReached(server.lease())) {
+      if (server.takesRoomsOf(lease.number()) && peers.isReached(server.lease())) {
         others.add(server);
       }
     }
@@ -466,57 +429,12 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (claim != null) {
       LOG.info(
           "room={} moves to {}: load={} % here, {} % there",
-          move.room(), move.to().name(), stepped(share(rooms), 1), move.to().load());
+          move.room(),
+          move.to().name(),
+          Announcer.stepped(announcer.share(rooms), 1),
+          move.to().load());
       claim.movesTo = move.to().lease();
     }
-  }
-
-  /** Tells the directory what has changed in the rooms, and releases those that are gone. */
-  private void tellRooms(Map<String, FleetRoom> rooms, long nowNs) throws DirectoryException {
-    for (Claims.Claim claim : claims.all()) {
-      if (clock.getAsLong() - renewNs >= 0 || !dead.isEmpty()) {
-        return; // where the directory is slow, the lease comes first, and rooms without an owner
-      }
-      if (nowNs - claim.nextNs < 0 || claim.handedOver) {
-        continue;
-      }
-      FleetRoom room = rooms.get(claim.room());
-      if (room == null || room.hasFailed()) {
-        if (claim.nextNs != 0) { // it was there, and is gone
-          claims.release(claim);
-        }
-        continue;
-      }
-      claim.nextNs = nowNs + PUBLISH_NS;
-      RoomRecord record =
-          new RoomRecord(
-              lease.number(),
-              room.isFollowed() ? claim.follower : 0,
-              false,
-              stepped(room.loadPercent(), LOAD_STEP),
-              room.isFollowed()
-                  ? room.followerLag() / RoomRecord.LAG_STEP * RoomRecord.LAG_STEP
-                  : 0,
-              room.parties().stream().limit(RoomRecord.MAX_PARTIES).toList(),
-              accountsOf(room),
-              room.offer().skill(),
-              room.settings(),
-              room.entry());
-      String value = record.toJson();
-      if (!value.equals(claim.told)) {
-        if (directory.update(claim.key(), value, claim.number())) {
-          claim.told = value;
-        } else {
-          lose(claim);
-        }
-      }
-    }
-  }
-
-  private List<String> accountsOf(FleetRoom room) {
-    return !settings.limitsSeats()
-        ? List.of()
-        : room.accounts().stream().limit(RoomRecord.MAX_ACCOUNTS).map(RoomRecord::hashed).toList();
   }
 
   /**
@@ -532,7 +450,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
     if (nowNs - straysNextNs < 0) {
       return; // the fleet may have ten thousand rooms
     }
-    straysNextNs = nowNs + SERVER_NS;
+    straysNextNs = nowNs + 4 * PUBLISH_NS;
     for (Map.Entry<String, FleetView.OwnedRoom> one : view.rooms().entrySet()) {
       FleetView.OwnedRoom owned = one.getValue();
       if (owned.record().server() != lease.number() || claims.of(one.getKey()) != null) {
@@ -541,35 +459,6 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
         LOG.warn("fleet: room={} was claimed by this server and isn't here", one.getKey());
         directory.delete(RoomRecord.key(one.getKey()), owned.claim());
         strays.remove(one.getKey());
-      }
-    }
-  }
-
-  /** Tells the clients where to go if this server is lost. */
-  private void tellClients(Map<String, FleetRoom> rooms, long nowNs) {
-    if (nowNs - clientsNextNs < 0) {
-      return;
-    }
-    clientsNextNs = nowNs + PUBLISH_NS;
-    for (Link.Door door : Link.Door.values()) {
-      List<String> addresses = new ArrayList<>();
-      for (ServerRecord server : view.servers().values()) {
-        String address = server.address(door);
-        if (takesRooms(server)
-            && !address.isEmpty()
-            && addresses.size() < ProtocolLimits.MAX_FLEET_SERVERS) {
-          addresses.add(address);
-        }
-      }
-      for (Claims.Claim claim : claims.all()) {
-        FleetRoom room = rooms.get(claim.room());
-        ServerRecord follower = view.servers().get(claim.follower);
-        boolean stands = follower != null && room != null && room.isFollowed();
-        ServerMessage.Fleet message =
-            new ServerMessage.Fleet(addresses, stands ? follower.address(door) : "");
-        if (!message.equals(claim.ownership().servers(door))) {
-          claim.ownership().servers(door, message);
-        }
       }
     }
   }
@@ -641,7 +530,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   /** Takes no more rooms and players, and begins to move all rooms away. */
   public void drain() {
     draining = true;
-    serverNextNs = clock.getAsLong();
+    announcer.soon(0);
     changed.run();
   }
 
@@ -649,7 +538,7 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
   private void undrain() {
     draining = false;
     claims.all().forEach(claim -> claim.movesTo = 0);
-    serverNextNs = clock.getAsLong();
+    announcer.soon(0);
     changed.run();
   }
 
@@ -660,202 +549,9 @@ public final class FleetMember implements FleetDoor, AutoCloseable {
 
   /** Returns whether no room of this server moves any longer: all are gone, or none can go. */
   public boolean isDrained() {
-    return claims.all().isEmpty() || view.servers().values().stream().noneMatch(this::takesRooms);
-  }
-
-  private boolean takesRooms(ServerRecord server) {
-    return server.lease() != lease.number() && !server.draining();
-  }
-
-  @Override
-  public Place find(String room, Link.Door door) {
-    FleetView.OwnedRoom there = view.rooms().get(room);
-    return there != null && leadsTo(there.record(), door) ? place(there.record()) : null;
-  }
-
-  /** Returns whether a room is another server's, which has an address at a door. */
-  private boolean leadsTo(RoomRecord record, Link.Door door) {
-    ServerRecord server = view.servers().get(record.server());
-    return record.server() != lease.number()
-        && (door == Link.Door.OWN || (server != null && !server.address(door).isEmpty()));
-  }
-
-  private Place place(RoomRecord record) {
-    return new Place(
-        record.server(),
-        record.settings().name(),
-        new RoomOffer(
-            record.entry().game(), taken(record), record.entry().places(), record.skill()));
-  }
-
-  /** Returns the seats that are taken, with those that were promised since the owner told. */
-  private int taken(RoomRecord record) {
-    int told = record.entry().players();
-    Promise promise = promised.get(record.settings().name());
-    return promise != null && promise.taken == told ? told + promise.count : told;
-  }
-
-  @Override
-  public Place best(RoomSearch search, Link.Door door) {
-    Place best = null;
-    int most = -1;
-    for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      RoomRecord record = owned.record();
-      ServerRecord server = view.servers().get(record.server());
-      if (!leadsTo(record, door)
-          || server == null
-          || server.draining()
-          || (settings.maxLoadPercent() > 0 && record.load() > settings.maxLoadPercent())) {
-        continue;
-      }
-      Place place = place(record);
-      int fit = search.fit(place.offer());
-      if (fit > most) {
-        most = fit;
-        best = place;
-      }
-    }
-    return best;
-  }
-
-  @Override
-  public void look(List<Looker> here) {
-    boolean isLong = here.size() > ServerRecord.MAX_LOOKERS;
-    List<Looker> told = isLong ? List.copyOf(here.subList(0, ServerRecord.MAX_LOOKERS)) : here;
-    if (!told.equals(lookers)) {
-      lookers = told;
-      serverNextNs = Math.min(serverNextNs, clock.getAsLong() + PUBLISH_NS);
-      changed.run();
-    }
-  }
-
-  @Override
-  public List<Looker> lookersElsewhere() {
-    List<Looker> elsewhere = new ArrayList<>();
-    for (ServerRecord server : view.servers().values()) {
-      if (server.lease() > lease.number()) {
-        elsewhere.addAll(server.lookers());
-      }
-    }
-    return elsewhere;
-  }
-
-  @Override
-  public String roomOfParty(String party, Link.Door door) {
-    for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      RoomRecord record = owned.record();
-      if (record.parties().contains(party) && leadsTo(record, door)) {
-        return record.settings().name();
-      }
-    }
-    return null;
-  }
-
-  @Override
-  public Future<String> settle(String party, String room) {
-    return ask(() -> parties.settle(party, room));
-  }
-
-  @Override
-  public int roomsOf(String account) {
-    String hashed = RoomRecord.hashed(account);
-    int count = 0;
-    for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      RoomRecord record = owned.record();
-      count += record.server() != lease.number() && record.accounts().contains(hashed) ? 1 : 0;
-    }
-    for (FleetView.Orphan orphan : view.orphans().values()) { // they go on in a moment
-      count += orphan.record().accounts().contains(hashed) ? 1 : 0;
-    }
-    return count;
-  }
-
-  @Override
-  public Future<Boolean> seats(String account) {
-    return ask(
-        () ->
-            directory.create(HashedKey.of("seatings/", account), "", directory.lease(Lease.TTL_MS))
-                != 0);
-  }
-
-  @Override
-  public Future<Boolean> spend(String token, long seconds, boolean wasRead) {
-    String key = HashedKey.of("spent/", token);
-    int ttlMs = 1_000 * (int) Math.min(Integer.MAX_VALUE / 1_000, Math.max(2, seconds + 1));
-    return ask(
-        () ->
-            wasRead
-                ? directory.create(key, "", directory.lease(ttlMs)) != 0
-                : directory.get(key) == null);
-  }
-
-  @Override
-  public boolean mayComeBack(String room) {
-    return view.orphans().containsKey(room) || returning.contains(room);
-  }
-
-  @Override
-  public boolean follows(String room, long secret) {
-    return following.knows(room, secret);
-  }
-
-  @Override
-  public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
-    FleetView.OwnedRoom there = view.rooms().get(to.room());
-    if (there != null) {
-      int told = there.record().entry().players();
-      promised.merge(
-          to.room(),
-          new Promise(told, 1),
-          (old, one) -> old.taken == told ? new Promise(told, old.count + 1) : one);
-    }
-    return ask(
-        () -> {
-          ServerRecord server = view.servers().get(to.server());
-          if (server == null) {
-            return null;
-          }
-          String ticket = tickets.make(to.server(), guest);
-          return door == Link.Door.OWN
-              ? new ServerMessage.Move(server.address(), settings.fingerprint(), to.room(), ticket)
-              : server.redirect(door, to.room(), ticket);
-        });
-  }
-
-  @Override
-  public Future<Guest> redeem(String ticket) {
-    return ask(() -> tickets.redeem(lease.number(), ticket));
-  }
-
-  /** Asks the directory for something. */
-  private interface Question<T> {
-    T answer() throws DirectoryException;
-  }
-
-  private <T> Future<T> ask(Question<T> question) {
-    FutureTask<T> task =
-        new FutureTask<>(
-            () -> {
-              try {
-                return question.answer();
-              } catch (DirectoryException e) {
-                LOG.warn("fleet: {}", e.getMessage());
-                return null;
-              }
-            });
-    asks.execute(task);
-    return task;
-  }
-
-  @Override
-  public List<ServerMessage.RoomEntry> roomsElsewhere(Link.Door door) {
-    List<ServerMessage.RoomEntry> entries = new ArrayList<>();
-    for (FleetView.OwnedRoom owned : view.rooms().values()) {
-      if (leadsTo(owned.record(), door)) {
-        entries.add(owned.record().entry());
-      }
-    }
-    return entries;
+    return claims.all().isEmpty()
+        || view.servers().values().stream()
+            .noneMatch(server -> server.takesRoomsOf(lease.number()));
   }
 
   /** Leaves the fleet: the lease ends, and with it the claims. */

@@ -62,6 +62,7 @@ public final class FleetService implements AutoCloseable {
         task -> {
           Thread made = new Thread(task, name + number.incrementAndGet());
           made.setDaemon(true);
+          made.setPriority(Thread.MAX_PRIORITY); // players wait for what they do
           return made;
         });
   }

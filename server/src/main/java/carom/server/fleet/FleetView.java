@@ -19,6 +19,9 @@ final class FleetView {
   private static final Logger LOG = LoggerFactory.getLogger(FleetView.class);
   private static final long NS_PER_MS = 1_000_000;
 
+  /** Most leases of servers whose processes are remembered. */
+  private static final int MAX_BORN = 1_000;
+
   /** Time for which a room without an owner is remembered, ms. */
   private static final long ORPHAN_MS = 10_000;
 
@@ -50,6 +53,13 @@ final class FleetView {
   private final Runnable changed;
   private final FleetNews news;
   private final Map<Long, ServerRecord> servers = new ConcurrentSkipListMap<>();
+
+  /**
+   * The first lease of each server's process, by each of its leases: also of those gone, unless
+   * they are dead.
+   */
+  private final ConcurrentSkipListMap<Long, Long> born = new ConcurrentSkipListMap<>();
+
   private final Map<String, OwnedRoom> rooms = new ConcurrentSkipListMap<>();
   private final Map<String, Orphan> orphans = new ConcurrentHashMap<>();
 
@@ -79,6 +89,55 @@ final class FleetView {
     return server == null ? "a server that is gone" : server.name();
   }
 
+  /**
+   * Returns the server whose process had a lease, which it may have lost: after a directory that
+   * was away, all have new ones. Null if it isn't there.
+   */
+  ServerRecord having(long lease) {
+    ServerRecord same = servers.get(lease);
+    Long process = same == null ? born.get(lease) : null;
+    if (process != null) {
+      for (ServerRecord server : servers.values()) {
+        same = server.born() == process ? server : same;
+      }
+    }
+    return same;
+  }
+
+  /** Returns whether the process that had a lease may get another one, as far as is known. */
+  boolean mayReturn(long lease) {
+    return born.containsKey(lease);
+  }
+
+  /** Learns that the process that has a lease is dead, so that it never returns. */
+  void bury(long lease) {
+    born.remove(lease);
+  }
+
+  /**
+   * Forgets what belongs to a lease that this server has revoked, before the directory says that it
+   * is gone: the players of its rooms wait.
+   */
+  void revoked(long lease) {
+    ServerRecord server = servers.remove(lease);
+    if (server != null) {
+      news.gone(server);
+    }
+    for (Map.Entry<String, OwnedRoom> room : rooms.entrySet()) {
+      if (room.getValue().record().server() == lease) {
+        lost(room.getKey());
+      }
+    }
+  }
+
+  private boolean lost(String room) {
+    OwnedRoom before = rooms.remove(room);
+    if (before != null) {
+      orphans.put(room, new Orphan(before.record(), before.claim(), clock.getAsLong()));
+    }
+    return before != null;
+  }
+
   /** Returns the rooms by name. */
   Map<String, OwnedRoom> rooms() {
     return rooms;
@@ -98,6 +157,10 @@ final class FleetView {
         long lease = Long.parseLong(entry.key().substring(ServerRecord.PREFIX.length()));
         ServerRecord server = ServerRecord.parse(lease, entry.value());
         ServerRecord before = servers.put(lease, server);
+        born.put(lease, server.born());
+        if (born.size() > MAX_BORN) {
+          born.pollFirstEntry(); // the oldest
+        }
         if (before == null) {
           news.came(server);
         }
@@ -148,9 +211,7 @@ final class FleetView {
     @Override
     public void gone(DirectoryEntry last) {
       String room = last.key().substring(RoomRecord.PREFIX.length());
-      OwnedRoom before = rooms.remove(room);
-      if (before != null) {
-        orphans.put(room, new Orphan(before.record(), before.claim(), clock.getAsLong()));
+      if (lost(room)) {
         changed.run();
       }
     }

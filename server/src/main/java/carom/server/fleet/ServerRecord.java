@@ -12,6 +12,7 @@ import java.util.List;
  * The record of a server in the directory, by itself.
  *
  * @param lease its lease, which is its number in the fleet: another one after each start
+ * @param born the first lease of its process, by which the others know it again when it lost one
  * @param name name of the server, for people
  * @param address host and TCP port for players, as {@code ServerAddress} reads it
  * @param play host and port of its play port, empty for none
@@ -23,6 +24,7 @@ import java.util.List;
  */
 public record ServerRecord(
     long lease,
+    long born,
     String name,
     String address,
     String play,
@@ -36,6 +38,14 @@ public record ServerRecord(
 
   /** Most lookers of which a record tells, so that it stays small. */
   static final int MAX_LOOKERS = 32;
+
+  /**
+   * Returns whether it takes rooms of the server that has a lease: of any other one, while it
+   * stays.
+   */
+  boolean takesRoomsOf(long other) {
+    return lease != other && !draining;
+  }
 
   /** Returns the address at a door, empty for none. */
   String address(Link.Door door) {
@@ -76,6 +86,7 @@ public record ServerRecord(
   String toJson() {
     return FleetJson.write(
         json -> {
+          json.writeNumberField("born", born);
           json.writeStringField("name", name);
           json.writeStringField("address", address);
           json.writeStringField("play", play);
@@ -111,6 +122,7 @@ public record ServerRecord(
     }
     return new ServerRecord(
         lease,
+        FleetJson.number(json, "born"),
         FleetJson.text(json, "name"),
         FleetJson.text(json, "address"),
         FleetJson.text(json, "play"),

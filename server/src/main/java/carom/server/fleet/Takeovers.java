@@ -29,9 +29,16 @@ final class Takeovers {
   private static final long RANK_NS = 300 * NS_PER_MS;
 
   /**
-   * Time that a follower has which is alive, ns: another server would have to begin the room anew.
+   * Time that an owner has to claim its room again, and a follower that is alive, ns: another
+   * server would have to begin the room anew.
    */
-  private static final long FOLLOWER_NS = 5_000 * NS_PER_MS;
+  private static final long OWNER_NS = 5_000 * NS_PER_MS;
+
+  /**
+   * Time that others have to come back, too, after this server lost its lease, ns: mostly the
+   * directory was away for all, and then the owners still have their rooms.
+   */
+  private static final long RETURN_NS = 3_000 * NS_PER_MS;
 
   /** Time that the rest of a dead owner's journal has to come out of the socket, ns. */
   private static final long REST_NS = 100 * NS_PER_MS;
@@ -48,6 +55,7 @@ final class Takeovers {
   private final FleetNews news;
   private final Set<String> underWay;
   private final AtomicBoolean prepares = new AtomicBoolean();
+  private long patientUntilNs = Long.MIN_VALUE;
 
   /**
    * Creates an object that has nothing to do yet.
@@ -77,6 +85,11 @@ final class Takeovers {
     this.underWay = underWay;
     this.changed = changed;
     this.news = news;
+  }
+
+  /** Learns that this server has a lease again. */
+  void cameBack(long nowNs) {
+    patientUntilNs = nowNs + RETURN_NS;
   }
 
   /** Does what is due: rooms with players first, as they wait, and then the others. */
@@ -143,11 +156,15 @@ final class Takeovers {
     List<Long> able = orphans.isEmpty() ? List.of() : able();
     for (Map.Entry<String, FleetView.Orphan> one : orphans.entrySet()) {
       FleetView.Orphan orphan = one.getValue();
-      boolean ownerIsGone =
-          orphan.record().leaving() || !view.servers().containsKey(orphan.record().server());
-      boolean restIsHere =
-          !following.hears(orphan.record().server()) || nowNs - orphan.sinceNs() >= REST_NS;
-      if (ownerIsGone && restIsHere && nowNs - orphan.sinceNs() >= patienceNs(orphan, able)) {
+      RoomRecord record = orphan.record();
+      boolean ownerMayReturn =
+          !record.leaving()
+              && (view.having(record.server()) != null
+                  || (nowNs < patientUntilNs && view.mayReturn(record.server())));
+      long waitedNs = nowNs - orphan.sinceNs();
+      boolean ownerIsGone = !ownerMayReturn || waitedNs >= OWNER_NS;
+      boolean restIsHere = !following.hears(record.server()) || waitedNs >= REST_NS;
+      if (ownerIsGone && restIsHere && waitedNs >= patienceNs(record, able)) {
         due.put(one.getKey(), orphan.record());
       }
     }
@@ -240,13 +257,13 @@ final class Takeovers {
    *
    * @param able the servers that may, as {@link #able} returns them
    */
-  private long patienceNs(FleetView.Orphan orphan, List<Long> able) {
-    long follower = orphan.record().follower();
-    boolean waits = follower != lease.number() && view.servers().containsKey(follower);
+  private long patienceNs(RoomRecord record, List<Long> able) {
+    ServerRecord follower = view.having(record.follower());
+    boolean waits = follower != null && follower.lease() != lease.number();
     int self = able.indexOf(lease.number());
-    int first = able.indexOf(follower); // the others move on by one
+    int first = follower == null ? -1 : able.indexOf(follower.lease()); // others move on by one
     int rank = self < 0 ? able.size() : self == first ? 0 : self < first ? self + 1 : self;
-    return rank * RANK_NS + (waits ? FOLLOWER_NS : 0);
+    return rank * RANK_NS + (waits ? OWNER_NS : 0);
   }
 
   /** Returns the servers that may take rooms over, those with the fewest rooms first. */

@@ -14,9 +14,11 @@ public final class HttpClients {
    * Returns a builder of a client without proxies and redirects.
    *
    * @param threads name of its threads, which are daemons and end after 10 idle seconds
+   * @param priority of its threads that the caller gives it; its own has that of the thread that
+   *     builds it
    * @param connectMs longest time until a connection is open
    */
-  public static HttpClient.Builder direct(String threads, int connectMs) {
+  public static HttpClient.Builder direct(String threads, int priority, int connectMs) {
     return HttpClient.newBuilder()
         .version(HttpClient.Version.HTTP_1_1)
         .proxy(HttpClient.Builder.NO_PROXY)
@@ -32,6 +34,7 @@ public final class HttpClients {
                 task -> {
                   Thread thread = new Thread(task, threads);
                   thread.setDaemon(true);
+                  thread.setPriority(priority);
                   return thread;
                 }));
   }

@@ -76,11 +76,13 @@ public final class LevelCheck {
   private void play(String fileName) {
     Level level = file.level();
     SimulationHost simulation;
+    Class<?> type = Game.class;
     try {
       Game game = Games.create(level.gameName());
+      type = game.getClass();
       simulation = new SimulationHost(game, level, 1, TICK_RATE, Role.AUTHORITY);
     } catch (IllegalArgumentException e) {
-      String message = String.valueOf(e.getMessage());
+      String message = GameFault.refusal(type, e);
       problems.add(message.startsWith(fileName) ? message : fileName + ": " + message);
       return;
     } catch (RuntimeException | LinkageError | AssertionError | StackOverflowError e) {

@@ -549,6 +549,11 @@ final class Visitor implements LinkHandler, Entrance.Guest {
 
   /** Welcomes a visitor whose room this server owns by now. */
   private void lookForRoom() {
+    FleetDoor fleet = directory.fleet();
+    boolean isFollowed = fleet.follows(standby.room(), standby.secret());
+    if (isFollowed && early == null && !fleet.mayComeBack(standby.room())) {
+      return; // its owner lives; a look through all seats each turn was most of the lobby's work
+    }
     if (chooser.expecting(standby.secret()) != null) {
       waiting =
           new JoinRequest(
@@ -558,8 +563,8 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     } else if (early != null && context.nowNs() - waitsUntilNs >= 0) {
       standby = null;
       hello(early); // the room stays where it is
-    } else if (!directory.fleet().follows(standby.room(), standby.secret())
-        && !directory.fleet().mayComeBack(standby.room())
+    } else if (!isFollowed
+        && !fleet.mayComeBack(standby.room())
         && directory.find(standby.room()) == null) {
       standby = null;
       refuse(RefusalReason.ROOM_UNKNOWN, "This server follows that session no longer.");

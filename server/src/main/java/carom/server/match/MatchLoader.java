@@ -89,8 +89,9 @@ public final class MatchLoader {
    * @param found hears the name of the game before it is created
    */
   public Match load(NextMatch wanted, Consumer<String> found) throws Unplayable {
+    Game game = null;
     try {
-      Game game = wanted.game().isEmpty() ? null : game(wanted.game());
+      game = wanted.game().isEmpty() ? null : game(wanted.game());
       String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
       LoadedLevel level = library.level(levelName);
       String madeFor = level.level().gameName();
@@ -107,7 +108,8 @@ public final class MatchLoader {
     } catch (LevelException e) {
       throw new Unplayable(e.getMessage(), null); // which says all
     } catch (IllegalArgumentException e) {
-      throw new Unplayable(e.getMessage(), e);
+      throw new Unplayable(
+          game == null ? e.getMessage() : GameFault.refusal(game.getClass(), e), e);
     } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
       throw new Unplayable("the set-up failed: " + GameFault.describe(e), e);
     }

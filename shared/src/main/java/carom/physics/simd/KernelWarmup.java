@@ -26,7 +26,7 @@ import java.util.function.BooleanSupplier;
  *
  * <p>A program may {@linkplain VectorModule#leaveWarmUpTo warm kernels up on a thread of its own}.
  * Then only the worlds that this thread steps are granted work, as above, until the program trusts
- * the kernels.
+ * the kernels. It is told when a step of another world is large enough for kernels to be worth it.
  *
  * <p>How much the kernels do shows in no result. One object serves all worlds and threads of the
  * JVM. It allocates its numbers once.
@@ -59,6 +59,12 @@ final class KernelWarmup {
   /** One block in so many is granted before the kernels are trusted. */
   private static final int BLOCK_SHARE = 32;
 
+  /**
+   * Rows of a step from which on kernels are worth their warm-up: they save some 0.05 ms of such a
+   * step, and the warm-up takes ten seconds of a processor and several GB of garbage.
+   */
+  private static final int WORTH_ROWS = 128;
+
   /** Warm-up calls so far. */
   private volatile int calls;
 
@@ -68,6 +74,9 @@ final class KernelWarmup {
    */
   private volatile BooleanSupplier rehearsal;
 
+  /** Tells that program that a world wants kernels; set before {@link #rehearsal}. */
+  private Runnable wanted;
+
   /** Scratch numbers on which the kernels are called; null until the first grant. */
   private float[] numbers;
 
@@ -75,6 +84,9 @@ final class KernelWarmup {
   int grant(VectorKernels kernels, int blocks, int rows) {
     BooleanSupplier isRehearsal = rehearsal;
     if (isRehearsal != null && !isRehearsal.getAsBoolean()) {
+      if (rows >= WORTH_ROWS) {
+        wanted.run();
+      }
       return 0;
     }
     if (calls < ALL_CALLS) {
@@ -104,9 +116,20 @@ final class KernelWarmup {
     return calls >= TRUSTED_AFTER;
   }
 
-  /** Grants work to rehearsals alone until {@link #trust}, unless the warm-up is over. */
-  void waitForTrust(BooleanSupplier isRehearsal) {
-    rehearsal = calls < ALL_CALLS ? isRehearsal : null;
+  /**
+   * Grants work to rehearsals alone until {@link #trust}, unless the warm-up is over.
+   *
+   * @param whenWanted runs whenever a step is refused kernels that are worth it, or now if nothing
+   *     is left to warm up
+   */
+  void waitForTrust(BooleanSupplier isRehearsal, Runnable whenWanted) {
+    wanted = whenWanted;
+    if (calls < ALL_CALLS) {
+      rehearsal = isRehearsal;
+    } else {
+      rehearsal = null;
+      whenWanted.run();
+    }
   }
 
   /** Ends the warm-up. */

@@ -48,9 +48,9 @@ public abstract class VectorKernels {
     return warmup.grant(this, blocks, rows);
   }
 
-  /** Grants work to rehearsals alone until {@link #trust}. */
-  final void waitForTrust(BooleanSupplier isRehearsal) {
-    warmup.waitForTrust(isRehearsal);
+  /** Grants work to rehearsals alone until {@link #trust}, and tells when others want some. */
+  final void waitForTrust(BooleanSupplier isRehearsal, Runnable whenWanted) {
+    warmup.waitForTrust(isRehearsal, whenWanted);
   }
 
   /**

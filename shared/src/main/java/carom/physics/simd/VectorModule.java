@@ -34,6 +34,9 @@ public final class VectorModule {
   /** Tells whether the calling thread is the one that warms up. */
   private static BooleanSupplier rehearsing;
 
+  /** Is told when a world wants kernels that wait for their warm-up. */
+  private static Runnable wanting;
+
   private VectorModule() {}
 
   /**
@@ -45,11 +48,15 @@ public final class VectorModule {
    *     note it
    * @param isRehearsal returns whether the thread that calls it is the program's; called from many
    *     threads, several times a step
+   * @param whenWanted runs whenever a step would have been so large that kernels are worth their
+   *     warm-up, and at once if they are warm; called from many threads, must return at once and
+   *     allocate nothing
    */
   public static synchronized void leaveWarmUpTo(
-      Consumer<VectorKernels> by, BooleanSupplier isRehearsal) {
+      Consumer<VectorKernels> by, BooleanSupplier isRehearsal, Runnable whenWanted) {
     warmer = by;
     rehearsing = isRehearsal;
+    wanting = whenWanted;
     SETS.forEach(VectorModule::leave);
   }
 
@@ -61,7 +68,7 @@ public final class VectorModule {
   }
 
   private static void leave(VectorKernels set) {
-    set.waitForTrust(rehearsing);
+    set.waitForTrust(rehearsing, wanting);
     warmer.accept(set);
   }
 

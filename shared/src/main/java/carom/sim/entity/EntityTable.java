@@ -173,7 +173,7 @@ public final class EntityTable
   /** Notes that the game despawns an entity. */
   void despawning(HostEntity entity) {
     if (watch != null && phases.now().isOfRules()) {
-      watch.changes(entity.ownerId());
+      watch.changes(entity.ownerId(), true);
     }
   }
 

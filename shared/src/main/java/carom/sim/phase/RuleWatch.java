@@ -11,6 +11,7 @@ public interface RuleWatch {
    *
    * @param playerId id of the player whose body, other entity or field it is; negative if it is no
    *     player's
+   * @param isEntity whether it is an entity that changes, and no field
    */
-  void changes(int playerId);
+  void changes(int playerId, boolean isEntity);
 }

@@ -145,7 +145,7 @@ final class ToyFleet implements AutoCloseable {
     Node door = alive.get(random.nextInt(alive.size()));
     joins++;
     for (int tries = 0; tries < MOST_TRIES && door != null; tries++) {
-      FleetDoor.Place there = door.member.best(ANY, Link.Door.OWN);
+      FleetDoor.Place there = door.member.door().best(ANY, Link.Door.OWN);
       ToyRoom here = door.host.best();
       boolean goes =
           there != null && (here == null || ANY.fit(there.offer()) > ANY.fit(here.offer()));
@@ -165,12 +165,12 @@ final class ToyFleet implements AutoCloseable {
     moves++;
     FleetDoor.Guest guest =
         new FleetDoor.Guest("Ann", "", there.room(), "", "", PlayerSkill.NO_CLAIM, true);
-    ServerMessage answer = FleetDoor.outcome(from.member.move(there, guest, Link.Door.OWN));
+    ServerMessage answer = FleetDoor.outcome(from.member.door().move(there, guest, Link.Door.OWN));
     if (!(answer instanceof ServerMessage.Move move)) {
       return null;
     }
     Node to = nodes.get(move.server().substring(0, move.server().indexOf(':')));
-    return to.dead || FleetDoor.outcome(to.member.redeem(move.ticket())) == null ? null : to;
+    return to.dead || FleetDoor.outcome(to.member.door().redeem(move.ticket())) == null ? null : to;
   }
 
   /** Returns the largest number of servers of which each may let the same room tick. */

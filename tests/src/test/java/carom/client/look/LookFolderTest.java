@@ -9,6 +9,7 @@ import carom.client.app.LookCommand;
 import carom.client.look.rockets.RocketsView;
 import carom.client.look.shooter.ShooterView;
 import carom.game.GameJars;
+import carom.game.playground.PlaygroundFields;
 import carom.game.shooter.ShooterFields;
 import carom.text.Json;
 import java.io.IOException;
@@ -93,6 +94,7 @@ final class LookFolderTest {
                   v.trail("rocket", Particles.stream(40).picture(smoke));
                   v.camera().height(18).lead(0.5f).zone("cave").whileSet(ShooterFields.COVER, 30);
                   v.hud(HudItem.bar("damage", ShooterFields.DAMAGE).colour(0xff0000));
+                  v.hud(HudItem.word("star", PlaygroundFields.KEEPER));
                 }));
     Json jump = look.fields.get("actions").items.get(0);
     assertEquals("1", jump.fields.get("button").text);
@@ -123,6 +125,10 @@ final class LookFolderTest {
     assertEquals("cave", camera.get("zones").items.get(0).text);
     assertEquals("cover", camera.get("condition").fields.get("field").text);
     assertEquals("BAR damage", texts(look.fields.get("hud").items.get(0).fields, "kind", "label"));
+    Map<String, Json> star = look.fields.get("hud").items.get(1).fields;
+    assertEquals("WORD star", texts(star, "kind", "label"));
+    assertEquals(
+        "match keeper REFERENCE", texts(star.get("value").fields, "scope", "field", "type"));
   }
 
   private static String texts(Map<String, Json> fields, String... names) {

@@ -75,8 +75,12 @@ class KernelWarmupTest {
   @Test
   void untilAProgramTrustsThemOnlyItsOwnThreadIsGrantedWork() {
     boolean[] own = {false};
-    kernels.waitForTrust(() -> own[0]);
+    int[] wanted = {0};
+    kernels.waitForTrust(() -> own[0], () -> wanted[0]++);
+    assertEquals(0, kernels.grant(4, 60));
+    assertEquals(0, wanted[0], "a small step");
     assertEquals(0, kernels.grant(500, 9_000));
+    assertEquals(1, wanted[0], "a large step");
     assertEquals(0, kernels.calls, "a world of others warms nothing up");
     own[0] = true;
     int granted = kernels.grant(500, 9_000);
@@ -97,7 +101,9 @@ class KernelWarmupTest {
   @Test
   void trustedKernelsDoNotWaitAgain() {
     kernels.trust();
-    kernels.waitForTrust(() -> false);
+    int[] wanted = {0};
+    kernels.waitForTrust(() -> false, () -> wanted[0]++);
+    assertEquals(1, wanted[0], "nothing is left to warm up");
     assertEquals(500, kernels.grant(500, 9_000));
   }
 }

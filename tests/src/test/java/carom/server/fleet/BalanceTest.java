@@ -23,7 +23,16 @@ final class BalanceTest {
   private static ServerRecord server(long lease, double load) {
     int told = (int) Math.min(100, load) / 5 * 5;
     return new ServerRecord(
-        lease, "s" + lease, "s" + lease + ":1", "", "", "s" + lease + ":2", told, List.of(), false);
+        lease,
+        lease,
+        "s" + lease,
+        "s" + lease + ":1",
+        "",
+        "",
+        "s" + lease + ":2",
+        told,
+        List.of(),
+        false);
   }
 
   /** Asks each second, and returns the second in which a room moves; -1 for never in a minute. */

@@ -173,7 +173,7 @@ public final class FleetRig implements AutoCloseable {
               network.server(),
               this::now,
               member::ownershipOf);
-      server.fleet(member);
+      server.fleet(member.door());
       member.serves(new SlowHost(server));
     }
 
@@ -394,6 +394,13 @@ public final class FleetRig implements AutoCloseable {
       nodes.values().forEach(Node::turn);
       clients.forEach(client -> client.update(nowNs));
     }
+  }
+
+  /** Returns the names of the rooms that the servers have. */
+  Set<String> rooms() {
+    Set<String> rooms = new TreeSet<>();
+    nodes.values().forEach(node -> node.server.rooms().forEach(room -> rooms.add(room.name())));
+    return rooms;
   }
 
   /** Returns the servers whose room of a name may tick now. */

@@ -15,10 +15,13 @@ import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.room.Room;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -191,8 +194,8 @@ class FleetScenarioTest {
       }
       rig.run(1);
       String token = Backend.token("one");
-      assertTrue(rig.nodes.get("a").member.spend(JoinTokens.mark(token), 60, true).get());
-      assertFalse(rig.nodes.get("b").member.spend(JoinTokens.mark(token), 60, true).get());
+      assertTrue(rig.nodes.get("a").member.door().spend(JoinTokens.mark(token), 60, true).get());
+      assertFalse(rig.nodes.get("b").member.door().spend(JoinTokens.mark(token), 60, true).get());
       GameClient thief = rig.client(ClientConfig.of("thief").with(ClientConfig.TOKEN, token), "b");
       GameClient other =
           rig.client(ClientConfig.of("other").with(ClientConfig.TOKEN, Backend.token("two")), "b");
@@ -414,6 +417,36 @@ class FleetScenarioTest {
       requireAllPlay(rig);
       assertEquals(seats, seats(rig));
       assertEquals(0, rig.clients.stream().mapToInt(c -> c.view().stats().ticksLost()).sum());
+    }
+  }
+
+  @Test
+  void roomsGoOnWhereTheyAreAfterADirectoryThatWasAwayForAll() throws Exception {
+    long seed = Long.getLong("carom.fleet.seed", System.nanoTime());
+    System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
+    Random random = new Random(seed);
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      Map<String, Long> ticks = new HashMap<>();
+      for (String room : rig.rooms()) {
+        ticks.put(room, (long) rig.owners(room).get(0).room(room).tick());
+      }
+      List<FleetRig.Node> order = new ArrayList<>(rig.nodes.values());
+      Collections.shuffle(order, random);
+      order.forEach(node -> node.door.away(true));
+      rig.run(2.5 + 3 * random.nextDouble());
+      for (FleetRig.Node node : order) { // each hears at another time that it is back
+        node.door.away(false);
+        rig.run(1.5 * random.nextDouble());
+      }
+      rig.run(12);
+      for (Map.Entry<String, Long> room : ticks.entrySet()) {
+        assertEquals(1, rig.owners(room.getKey()).size(), room.getKey());
+        long tick = rig.owners(room.getKey()).get(0).room(room.getKey()).tick();
+        assertTrue(tick >= room.getValue(), room + " began anew: tick=" + tick);
+      }
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
     }
   }
 

@@ -184,6 +184,43 @@ class GameTestTest {
     }
   }
 
+  /** Pushes what belongs to nobody against a player now and then. */
+  public static final class KicksSeldom extends Good {
+    private Archetype crate;
+
+    @Override
+    public void setUp(SetUp s) {
+      super.setUp(s);
+      crate =
+          s.archetype(
+              new ArchetypeDef("crate")
+                  .shape(new Circle(0.5f), new Material(1, 0, 0))
+                  .linearDamping(3));
+    }
+
+    @Override
+    public void begin(Match m) {
+      for (int i = 0; i < 40; i++) {
+        m.spawn(crate, i % 8 * 1.1f - 4, i / 8 * 1.1f - 2);
+      }
+    }
+
+    @Override
+    public void afterStep(Match m) {
+      if (m.tick() % 50 == 0) {
+        kick(m);
+      }
+    }
+
+    private void kick(Match m) {
+      for (Entity e : m.entities()) {
+        if (e.archetype() == crate) {
+          e.applyImpulse((m.tick() % 100 == 0 ? 4 : -4) * e.mass(), 0);
+        }
+      }
+    }
+  }
+
   /** Does in its input, by way of a lambda, what a game must not do. */
   public static final class Calls extends Good {
     private static int shared;
@@ -330,6 +367,13 @@ class GameTestTest {
     assertTrue(
         report.text().contains("GameTestTest.HurtsSeldom.hurt (GameTestTest.java:"), report.text());
     assertTrue(report.text().contains("), in afterStep"), report.text());
+  }
+
+  @Test
+  void whatBringsBodiesNearIntoMotionIsInTheListOfCosts() throws Exception {
+    String text = test(KicksSeldom::new).text();
+    assertTrue(text.contains("others' bodies by GameTestTest.KicksSeldom.kick (Game"), text);
+    assertTrue(text.contains("inputs of other players, told after they counted"), text);
   }
 
   @ParameterizedTest

@@ -107,11 +107,11 @@ final class LookHud {
     if (item.kind() == HudItem.Kind.BAR) {
       bar(item, item.value().share(view, body.ownerId(), body), x + LABEL_WIDTH, y);
     }
-    float value = item.value().number(view, body.ownerId(), body);
     hud.begin();
     Texture icon = item.kind() == HudItem.Kind.ICONS ? pictures.of(item.label()) : null;
     if (icon != null) {
       region.setRegion(icon);
+      float value = item.value().number(view, body.ownerId(), body);
       int count = MathUtils.clamp(Math.round(value), 0, HudItem.MAX_ICONS);
       float step = Math.min(ICON_STEP, (LABEL_WIDTH + VALUE_WIDTH - ICON) / HudItem.MAX_ICONS);
       for (int i = 0; i < count; i++) {
@@ -122,17 +122,21 @@ final class LookHud {
       String cut = hud.cut(fonts.small(), label, LABEL_WIDTH - 6);
       hud.left(fonts.small(), cut, x, y + LINE - 5, UiColours.TEXT);
       if (item.kind() != HudItem.Kind.BAR) {
-        String text = text(item, value, view.tickRate());
-        hud.left(fonts.text(), text, x + LABEL_WIDTH, y + LINE - 4, UiColours.TEXT);
+        hud.left(
+            fonts.text(), text(item, view, body), x + LABEL_WIDTH, y + LINE - 4, UiColours.TEXT);
       }
     }
     hud.end();
   }
 
-  private static String text(HudItem item, float value, int tickRate) {
+  private String text(HudItem item, ClientView view, Drawn body) {
+    if (item.kind() == HudItem.Kind.WORD) {
+      return hud.cut(fonts.text(), item.value().word(view, body.ownerId(), body), VALUE_WIDTH);
+    }
+    float value = item.value().number(view, body.ownerId(), body);
     if (item.kind() == HudItem.Kind.TIME) {
       boolean ticks = item.value().field() instanceof Countdown;
-      return MathUtils.ceil(ticks ? value / tickRate : value) + " s";
+      return MathUtils.ceil(ticks ? value / view.tickRate() : value) + " s";
     }
     return Integer.toString(Math.round(value));
   }

@@ -83,8 +83,16 @@ export class Look {
     switch (value.type) {
       case 'CHOICE': return Math.max(0, value.choices.indexOf(told));
       case 'COUNTDOWN': return Math.max(0, told - world.tick);
+      case 'REFERENCE': return told < 0 ? 0 : 1;
       default: return Number(told);
     }
+  }
+
+  /** Returns a choice's constant in lower case, or the name of the player that a field means. */
+  word(world, value, player, body) {
+    const id = {match: 0, player, entity: body}[value.scope], told = world.field(value.scope, id, value.field);
+    if (value.type === 'REFERENCE') return world.players.get(told)?.name ?? '';
+    return (told ?? value.choices[0]).toLowerCase().replaceAll('_', ' ');
   }
 
   /** Returns how full a bar of a value is, 0 to 1. */

@@ -9,22 +9,33 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * The right to use a folder of checkpoints, which one process has at a time. It ends with the
- * process, however that ends.
+ * The right to use a folder, which one server has at a time: two would write over each other's
+ * files. It ends with the process, however that ends.
  */
-final class CheckpointLock implements AutoCloseable {
+final class FolderLock implements AutoCloseable {
+  /** Another server has the right. */
+  static final class TakenException extends IOException {
+    private static final long serialVersionUID = 1;
+
+    private TakenException(String message) {
+      super(message);
+    }
+  }
+
   private final FileChannel file;
 
-  private CheckpointLock(FileChannel file) {
+  private FolderLock(FileChannel file) {
     this.file = file;
   }
 
   /**
    * Takes the right to a folder, and creates the folder if it isn't there.
    *
-   * @throws IOException if another server has it, or the folder can't be used; the message says so
+   * @param setting names the folder in messages
+   * @throws TakenException if another server has it
+   * @throws IOException if the folder can't be used; the message says why
    */
-  public static CheckpointLock of(Path folder) throws IOException {
+  public static FolderLock of(Path folder, String setting) throws IOException {
     Files.createDirectories(folder);
     FileChannel file =
         FileChannel.open(
@@ -40,10 +51,14 @@ final class CheckpointLock implements AutoCloseable {
       }
     }
     if (lock == null) {
-      throw new IOException(
-          "another server uses folder=" + folder + "; give each server a data folder of its own");
+      throw new TakenException(
+          "another server uses "
+              + setting
+              + "="
+              + folder
+              + "; give each server a folder of its own with --data");
     }
-    return new CheckpointLock(file);
+    return new FolderLock(file);
   }
 
   @Override
