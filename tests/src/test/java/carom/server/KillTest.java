@@ -153,6 +153,7 @@ class KillTest {
       long untilNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(random.nextInt(4_000));
       updateUntil("killed", () -> System.nanoTime() >= untilNs);
       int heard = clients.stream().mapToInt(client -> client.decoder().tick()).max().getAsInt();
+      int before = clients.stream().mapToInt(client -> client.stats().reconnects()).sum();
       server.destroyForcibly(); // kill -9
       assertTrue(server.waitFor(10, TimeUnit.SECONDS));
       assertEquals(137, server.exitValue());
@@ -169,7 +170,6 @@ class KillTest {
       assertEquals(PLAYERS, Integer.parseInt(resumed.group(4)), which);
       lostTicks[kill] = heard - tick;
       assertTrue(lostTicks[kill] <= TICK_RATE, which + " lost=" + lostTicks[kill]);
-      int before = clients.stream().mapToInt(client -> client.stats().reconnects()).sum();
       updateUntil(
           "all are back, " + which,
           () ->
