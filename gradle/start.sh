@@ -30,12 +30,12 @@ priorities=
 <% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Without root
 # a process can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/lab/crowd.md.
 # Only on the JVMs that CI has tried: a later one may refuse flags that only tune.
-# A server of a fleet lets its compilers step back less: when it is killed, its sockets close with its last thread, and on a busy machine
-# one of nice 10 gets a processor after seconds (8 busy processes on 2 cores: 2.8 s; nice 4: 0.9, nice 0: 0.4), while players wait.
+# In a server of a fleet no thread steps back: when it is killed, its sockets close with its last thread, and on a busy machine one of
+# nice 10 gets a processor after seconds (8 busy processes on 2 cores: 2.8 s; nice 4: 0.9, nice 0: 0.4), while players wait.
 version=\$(sed -n 's/^JAVA_VERSION="\\([0-9]*\\).*/\\1/p' "\$jdk/release" 2>/dev/null)
 if [ "\$(uname)" = Linux ] && [ "\${version:-99}" -le 25 ]; then
     compilers=10
-    case " \$* " in *" --fleet"*) compilers=4 ;; esac
+    case " \$* " in *" --fleet"*) compilers=0 ;; esac
     priorities="-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=\$compilers"
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"
 fi

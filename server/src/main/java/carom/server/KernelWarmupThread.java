@@ -7,13 +7,16 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Warms vector kernels up on a thread of its own. Until they are compiled, all worlds of the JVM
  * step without them: a world's first seconds then neither wait for interpreted kernels nor allocate
  * the objects that these make. The bits are the same.
  *
- * <p>It waits until a world of the JVM has a step large enough for kernels. Rooms with a few dozen
+ * <p>It begins when a world of the JVM has a step large enough for kernels. Rooms with a few dozen
  * bodies never have, and the warm-up would take from their ticks what it couldn't give back.
  *
  * <p>The thread steps a world of its own, which needs all kernels. That world warms them up as any
@@ -32,7 +35,12 @@ final class KernelWarmupThread {
   private final ThreadMXBean threads;
   private final Thread thread = new Thread(this::run, "carom-warm-up");
   private final List<VectorKernels> sets = new CopyOnWriteArrayList<>();
-  private final CountDownLatch wanted = new CountDownLatch(1);
+
+  /** What is still needed before the thread starts: {@link #begin}, and a world that wants it. */
+  private final AtomicInteger missing = new AtomicInteger(2);
+
+  private final AtomicBoolean wanted = new AtomicBoolean();
+  private final CountDownLatch over = new CountDownLatch(1);
   private volatile boolean ended;
 
   private KernelWarmupThread(ThreadMXBean threads) {
@@ -57,8 +65,7 @@ final class KernelWarmupThread {
         new KernelWarmupThread(counts ? (ThreadMXBean) ManagementFactory.getThreadMXBean() : null);
     if (counts) {
       Thread own = warmup.thread;
-      VectorModule.leaveWarmUpTo(
-          warmup::note, () -> Thread.currentThread() == own, warmup.wanted::countDown);
+      VectorModule.leaveWarmUpTo(warmup::note, () -> Thread.currentThread() == own, warmup::want);
     }
     return warmup;
   }
@@ -70,9 +77,21 @@ final class KernelWarmupThread {
     }
   }
 
-  /** Starts the thread. Call it once. */
+  /** Lets the thread start from now on. Call it once. */
   public void begin() {
     if (threads != null) {
+      startIfDue();
+    }
+  }
+
+  private void want() {
+    if (!wanted.get() && wanted.compareAndSet(false, true)) {
+      startIfDue();
+    }
+  }
+
+  private void startIfDue() {
+    if (missing.decrementAndGet() == 0) {
       thread.start();
     }
   }
@@ -85,24 +104,21 @@ final class KernelWarmupThread {
    * @throws InterruptedException if the calling thread is interrupted
    */
   public boolean await(long ms) throws InterruptedException {
-    thread.join(ms);
-    return !thread.isAlive();
+    return over.await(ms, TimeUnit.MILLISECONDS);
   }
 
   /** Returns whether a world has wanted kernels. */
   boolean isWanted() {
-    return wanted.getCount() == 0;
+    return wanted.get();
   }
 
   private void run() {
     try {
-      wanted.await();
       rehearse(new Rehearsal());
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
     } finally {
       ended = true;
       sets.forEach(VectorKernels::trust);
+      over.countDown();
     }
   }
 

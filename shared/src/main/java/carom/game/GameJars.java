@@ -1,5 +1,6 @@
 package carom.game;
 
+import carom.sim.Game;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.net.URL;
@@ -11,6 +12,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.jar.JarFile;
 
 /**
  * The jars of a folder of games, {@code --games FOLDER}, which a program has beside those on its
@@ -26,6 +28,8 @@ public final class GameJars {
 
   /** Largest file of a look, bytes. */
   public static final int MAX_LOOK_BYTES = 24 << 20;
+
+  private static final String SERVICE = "META-INF/services/" + Game.class.getName();
 
   private static volatile ClassLoader loader = GameJars.class.getClassLoader();
   private static Path folder;
@@ -82,6 +86,34 @@ public final class GameJars {
       state.append(Files.getLastModifiedTime(jar)).append('\n');
     }
     return state.toString();
+  }
+
+  /**
+   * Returns why the folder may lack a game: it has no jar, or jars that list none. Each reason
+   * begins with a semicolon; empty if each jar lists a game or there is no folder.
+   */
+  static synchronized String complaint() {
+    if (folder == null) {
+      return "";
+    }
+    StringBuilder reasons = new StringBuilder();
+    try {
+      List<Path> jars = jars();
+      if (jars.isEmpty()) {
+        reasons.append("; there is no jar in ").append(folder.toAbsolutePath().normalize());
+      }
+      for (Path jar : jars) {
+        try (JarFile file = new JarFile(jar.toFile())) {
+          if (file.getEntry(SERVICE) == null) {
+            reasons.append("; ").append(jar.getFileName()).append(" has no file ").append(SERVICE);
+            reasons.append(" that names the game's class");
+          }
+        }
+      }
+    } catch (IOException e) {
+      reasons.append("; ").append(e.getMessage());
+    }
+    return reasons.toString();
   }
 
   private static List<Path> jars() throws IOException {

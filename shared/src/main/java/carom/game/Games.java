@@ -107,7 +107,8 @@ public final class Games {
             + "\" is unknown, known are "
             + names
             + Suggestion.didYouMean(name, names)
-            + broken);
+            + broken
+            + GameJars.complaint());
   }
 
   /** Returns the names of all games, sorted. */

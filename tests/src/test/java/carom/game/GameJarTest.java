@@ -8,6 +8,7 @@ import carom.fixtures.PlainGame;
 import carom.game.arena.ArenaGame;
 import carom.game.tag.TagGame;
 import java.io.File;
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.net.MalformedURLException;
@@ -17,6 +18,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.jar.JarOutputStream;
+import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -81,6 +84,33 @@ class GameJarTest {
       assertTrue(message.contains("a game can't be loaded: "), message);
       assertTrue(message.contains("missing.Game not found"), message);
       assertTrue(message.contains("no file of rules"), message);
+    }
+  }
+
+  @Test
+  void aFolderThatLacksTheGameSaysWhy() throws Throwable {
+    Path jars = Files.createDirectories(folder.resolve("jars"));
+    try (URLClassLoader program = program()) {
+      Method open = program.loadClass(GameJars.class.getName()).getMethod("open", Path.class);
+      open.invoke(null, jars);
+      Throwable e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
+      assertTrue(e.getMessage().contains("; there is no jar in " + jars), e.getMessage());
+
+      jar(jars.resolve("chess.jar"), "chess/Chess.class");
+      jar(jars.resolve("other.jar"), "META-INF/services/carom.sim.Game");
+      e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
+      assertTrue(
+          e.getMessage()
+              .endsWith(
+                  "; chess.jar has no file META-INF/services/carom.sim.Game that names the game's"
+                      + " class"),
+          e.getMessage());
+    }
+  }
+
+  private static void jar(Path file, String entry) throws IOException {
+    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(file))) {
+      out.putNextEntry(new ZipEntry(entry));
     }
   }
 }

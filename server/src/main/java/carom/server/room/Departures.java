@@ -67,7 +67,7 @@ final class Departures {
 
   /** Ends the sessions whose time has come. */
   void serve(long nowNs) {
-    Session givesWay = requests.next(sessions.bySeat(), nowNs);
+    Session givesWay = requests.next(sessions.all(), nowNs);
     Session crowding = requests.takeCrowding(sessions.bySeat());
     if (crowding != null) {
       crowding.sayGoodbye(GoodbyeReason.CROWDED, "");

@@ -8,6 +8,7 @@ import carom.server.metrics.Counters;
 import carom.server.session.Session;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -19,6 +20,7 @@ final class RoomSessions {
   private final String label;
   private final Counters counters;
   private final List<Session> sessions = new ArrayList<>();
+  private final List<Session> all = Collections.unmodifiableList(sessions);
   private final Session[] bySeat;
 
   /**
@@ -34,6 +36,11 @@ final class RoomSessions {
 
   int count() {
     return sessions.size();
+  }
+
+  /** Returns the sessions in order of arrival, live. For reading only. */
+  List<Session> all() {
+    return all;
   }
 
   /** Returns a session by its place in the order of arrival. */

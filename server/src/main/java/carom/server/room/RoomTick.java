@@ -241,7 +241,7 @@ final class RoomTick {
     parts.messages.send();
     match.simulation().outbox().drainNotices(sendNotice);
     match.failures().tell(match.simulation().findings());
-    parts.roster.send(sessions.bySeat(), nowNs, sendTo);
+    parts.roster.send(sessions.all(), sessions.bySeat(), nowNs, sendTo);
     return late;
   }
 }

@@ -67,17 +67,19 @@ final class RosterNews {
   /**
    * Sends changes if there are any and it is time, to some sessions in each tick.
    *
-   * @param bySeat the sessions by player id, null where there is none
+   * @param all the sessions
+   * @param bySeat the same by player id, null where there is none
    * @param send takes a session that plays and a message for it
    */
-  public void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
+  public void send(
+      List<Session> all, Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     if (changes == null) {
       if (nowNs - begunNs < intervalNs) {
         return;
       }
       measurePings(bySeat, nowNs);
-      for (int id = 0; id < bySeat.length && !old; id++) {
-        old = !isTold(id, bySeat[id]);
+      for (int i = 0; i < all.size() && !old; i++) { // who has gone is noted
+        old = !isTold(all.get(i).seat().id(), all.get(i));
       }
       if (!old) {
         return;
