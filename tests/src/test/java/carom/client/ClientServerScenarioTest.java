@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.client.view.ClientView;
+import carom.fixtures.Slice;
 import carom.game.Games;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
@@ -221,7 +222,7 @@ final class ClientServerScenarioTest {
     int[] seen = new int[4_096];
     int jumps = 0;
     int frames = 0;
-    for (int frame = 2; frame < 60 * 20; frame++) {
+    for (int frame = 2; frame < 60 * Slice.of(12, 20); frame++) {
       run(1 / 60.0);
       ClientView view = watched.view();
       for (int i = 0; i < view.entityCount(); i++) {

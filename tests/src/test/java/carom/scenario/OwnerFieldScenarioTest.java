@@ -8,6 +8,7 @@ import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.stats.NetStats;
+import carom.fixtures.Slice;
 import carom.game.Games;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Impairment;
@@ -57,7 +58,7 @@ class OwnerFieldScenarioTest {
       SimulatedClient bob = stepper.join("bob", FAR, driver(101));
       stepper.run(4);
       long[] corrections = {ann.stats().corrections(), bob.stats().corrections()};
-      stepper.run(40);
+      stepper.run(Slice.of(20, 40));
       for (SimulatedClient client : List.of(ann, bob)) {
         NetStats stats = client.stats();
         double right = 100.0 * stats.exactBodies() / stats.awakeBodies();

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
 import carom.client.GameClient;
+import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.Jvm;
@@ -104,7 +105,7 @@ class KillTest {
 
   private void update() throws InterruptedException {
     clients.forEach(client -> client.update(System.nanoTime()));
-    Thread.sleep(2);
+    Thread.sleep(8);
   }
 
   private void updateUntil(String what, BooleanSupplier done) throws Exception {
@@ -113,6 +114,13 @@ class KillTest {
       assertTrue(System.nanoTime() < endNs, () -> what + " isn't so after 60 s\n" + read(log()));
       update();
     }
+  }
+
+  /** Returns the settings of a player. One predicts; the others needn't to come back. */
+  private ClientConfig config(int player) {
+    return ClientConfig.of("p" + player)
+        .withServer("127.0.0.1", tcpPort, udpPort)
+        .with(ClientConfig.PREDICTION, player == 0 ? PredictionMode.ISLAND : PredictionMode.NONE);
   }
 
   private boolean allPlay() {
@@ -129,8 +137,7 @@ class KillTest {
     start();
     transport = new KryoClientTransport();
     for (int i = 0; i < PLAYERS; i++) {
-      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", tcpPort, udpPort);
-      clients.add(new GameClient(config, transport, new Bot(i, true)));
+      clients.add(new GameClient(config(i), transport, new Bot(i, true)));
     }
     updateUntil("all play", this::allPlay);
     // Seats that change are on the disk a quarter of a second later; a second may be lost.
@@ -146,6 +153,7 @@ class KillTest {
       long untilNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(random.nextInt(4_000));
       updateUntil("killed", () -> System.nanoTime() >= untilNs);
       int heard = clients.stream().mapToInt(client -> client.decoder().tick()).max().getAsInt();
+      int before = clients.stream().mapToInt(client -> client.stats().reconnects()).sum();
       server.destroyForcibly(); // kill -9
       assertTrue(server.waitFor(10, TimeUnit.SECONDS));
       assertEquals(137, server.exitValue());
@@ -162,7 +170,6 @@ class KillTest {
       assertEquals(PLAYERS, Integer.parseInt(resumed.group(4)), which);
       lostTicks[kill] = heard - tick;
       assertTrue(lostTicks[kill] <= TICK_RATE, which + " lost=" + lostTicks[kill]);
-      int before = clients.stream().mapToInt(client -> client.stats().reconnects()).sum();
       updateUntil(
           "all are back, " + which,
           () ->
@@ -187,8 +194,7 @@ class KillTest {
     start();
     transport = new KryoClientTransport();
     for (int i = 0; i < PLAYERS; i++) {
-      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", tcpPort, udpPort);
-      clients.add(new GameClient(config, transport, new Bot(i, true)));
+      clients.add(new GameClient(config(i), transport, new Bot(i, true)));
     }
     updateUntil("all play", this::allPlay);
     List<Long> bodies = bodies();

@@ -31,10 +31,7 @@ public final class LoopingGame extends PlainGame {
   @Override
   public void beforeStep(Match s) {
     boolean inRoom = Thread.currentThread().getName().startsWith("carom-room");
-    while (s.level().name().equals(AT_START)) {
-      Thread.onSpinWait();
-    }
-    while (inRoom && s.tick() >= 9) {
+    while (s.level().name().equals(AT_START) || inRoom && s.tick() >= 9) {
       LockSupport.parkNanos(1_000_000); // its process ends later, and others want the processor
     }
   }

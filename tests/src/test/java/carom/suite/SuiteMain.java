@@ -59,6 +59,10 @@ final class SuiteMain implements Runnable {
   private int limitSeconds;
 
   private final List<ClassReport> reports = new ArrayList<>();
+
+  /** Flags of the JVM by which processes start faster. */
+  private List<String> faster = List.of();
+
   private int total;
   private long lastProgress = System.nanoTime();
 
@@ -83,6 +87,9 @@ final class SuiteMain implements Runnable {
               .thenComparingDouble(test -> -known.getOrDefault(test.name(), 0.)));
       total = all.size();
       Files.createDirectories(results);
+      if (only.isEmpty() && !quick) { // a few classes start fewer programs than it costs
+        faster = ClassArchive.make(Files.createDirectories(results.resolve("classes")));
+      }
       int cores = processes > 0 ? processes : Runtime.getRuntime().availableProcessors();
       List<Thread> beside = new ArrayList<>(begin(all, Part.NEEDING, cores));
       beside.addAll(begin(all, Part.COMPUTING, cores));
@@ -129,7 +136,7 @@ final class SuiteMain implements Runnable {
         }
         if (worker == null) {
           optimized = next.optimized();
-          worker = new WorkerProcess(output, yields, optimized);
+          worker = new WorkerProcess(output, yields, optimized, faster);
         }
         ClassReport report = worker.run(next, limitSeconds, this::told);
         report.write(results);

@@ -1,5 +1,6 @@
 package carom.suite;
 
+import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
 
 import com.sun.management.OperatingSystemMXBean;
@@ -16,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.regex.Pattern;
@@ -37,6 +39,7 @@ import org.junit.platform.launcher.core.LauncherFactory;
  */
 final class SuiteWorker {
   private static final int NO_PARENT = 3;
+  private static final int ENDING_SECONDS = 5;
 
   /** Unit of the times in /proc, which is the same on every Linux that runs Java. */
   private static final double LINUX_CLOCK_HZ = 100;
@@ -96,6 +99,7 @@ final class SuiteWorker {
             .selectors(selectClass(testClass.name()))
             .filters(asked);
     launcher.execute(request.build(), new Teller());
+    awaitEndingProcesses();
     System.out.flush();
     send(
         new TestEvent(
@@ -104,6 +108,16 @@ final class SuiteWorker {
             secondsSince(began),
             cpuSeconds() - cpu,
             ""));
+  }
+
+  /** Waits for processes that the class has just ended: what they computed counts for it. */
+  private static void awaitEndingProcesses() {
+    CompletableFuture<?>[] ends =
+        ProcessHandle.current()
+            .children()
+            .map(ProcessHandle::onExit)
+            .toArray(CompletableFuture<?>[]::new);
+    CompletableFuture.allOf(ends).completeOnTimeout(null, ENDING_SECONDS, SECONDS).join();
   }
 
   private synchronized void send(TestEvent event) {

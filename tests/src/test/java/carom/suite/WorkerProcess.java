@@ -40,8 +40,10 @@ final class WorkerProcess implements AutoCloseable {
    * @param output the file that gets what the process prints
    * @param yields whether it leaves the processor to others that want it, where {@code nice} is
    * @param optimized whether both compilers of the JVM work, or only the quick one
+   * @param flags more flags of the JVM, which programs that tests start have, too
    */
-  WorkerProcess(Path output, boolean yields, boolean optimized) throws IOException {
+  WorkerProcess(Path output, boolean yields, boolean optimized, List<String> flags)
+      throws IOException {
     this.yields = yields;
     try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       server.setSoTimeout(START_MS);
@@ -55,6 +57,7 @@ final class WorkerProcess implements AutoCloseable {
         command.removeIf(flag -> flag.contains("jdk.incubator.vector"));
         command.add("-XX:TieredStopAtLevel=1");
       }
+      command.addAll(flags);
       command.add("-cp");
       command.add(System.getProperty("java.class.path"));
       command.add(SuiteWorker.class.getName());

@@ -83,7 +83,8 @@ final class WorkerProcessTest {
 
   @Test
   void whatPassesFailsAndIsSkippedIsTold() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
+    try (WorkerProcess worker =
+        new WorkerProcess(folder.resolve("output.txt"), true, false, List.of())) {
       ClassReport beside = run(worker, Mixed.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(3, beside.tests());
       assertEquals(1, beside.count(TestEvent.Kind.FAILED));
@@ -101,7 +102,8 @@ final class WorkerProcessTest {
 
   @Test
   void aTestThatEndsItsProcessFailsByNameAndTheOnesBeforeArePassed() throws Exception {
-    try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), true, false)) {
+    try (WorkerProcess worker =
+        new WorkerProcess(folder.resolve("output.txt"), true, false, List.of())) {
       ClassReport report = run(worker, Halting.class, "", TestClass.Part.COMPUTING, 600);
       assertEquals(1, report.count(TestEvent.Kind.PASSED));
       assertEquals(1, report.count(TestEvent.Kind.FAILED));
@@ -117,7 +119,8 @@ final class WorkerProcessTest {
     String xml = "";
     // On a busy machine a class may not have begun after five seconds.
     for (int seconds = 5; !xml.contains("waitsForever") && seconds <= 80; seconds *= 4) {
-      try (WorkerProcess worker = new WorkerProcess(folder.resolve("output.txt"), false, false)) {
+      try (WorkerProcess worker =
+          new WorkerProcess(folder.resolve("output.txt"), false, false, List.of())) {
         ClassReport report = run(worker, Hanging.class, "", TestClass.Part.COMPUTING, seconds);
         assertEquals(1, report.count(TestEvent.Kind.FAILED));
         xml = xml(Hanging.class);

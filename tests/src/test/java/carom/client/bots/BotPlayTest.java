@@ -3,6 +3,7 @@ package carom.client.bots;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.sim.SimulationHost;
@@ -78,8 +79,9 @@ final class BotPlayTest {
 
   @Test
   void arenaBotsPlayAllOverThePitchInsteadOfInItsCorners() {
-    Played[] simple = play("arena", 8, 40, Bot::new, Bot::new);
-    Played[] skilled = play("arena", 8, 40, Bot::skilled, Bot::skilled);
+    double seconds = Slice.of(24, 40);
+    Played[] simple = play("arena", 8, seconds, Bot::new, Bot::new);
+    Played[] skilled = play("arena", 8, seconds, Bot::skilled, Bot::skilled);
     String about = "simple " + List.of(simple) + " skilled " + List.of(skilled);
     double before = (simple[0].inCorners() + simple[1].inCorners()) / 2;
     double now = (skilled[0].inCorners() + skilled[1].inCorners()) / 2;

@@ -66,7 +66,7 @@ final class PlaygroundBotTest {
           Bot bot = new Bot(Stepper.SEED + i, new PlaygroundBrain(Strength.MEDIUM));
           stepper.add("b" + i, FAR.withSeed(Stepper.SEED + i), bot);
         }
-        double seconds = BotMatch.MATCHES == 0 ? 10 : 60;
+        double seconds = BotMatch.MATCHES == 0 ? 7 : 60;
         stepper.run(seconds);
         double least = 100;
         long corrections = 0;

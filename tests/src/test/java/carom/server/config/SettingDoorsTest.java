@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.fixtures.Slice;
 import carom.options.Flags;
 import carom.options.Setting;
 import java.nio.file.Files;
@@ -76,8 +77,9 @@ final class SettingDoorsTest {
   void eachRowIsTheSameByFlagVariableAndFile() throws Exception {
     int good = 0;
     int bad = 0;
+    double texts = Slice.of(8, 25);
     for (Setting<?> row : ServerConfig.ROWS.all()) {
-      for (int i = 0; i < 25; i++) {
+      for (int i = 0; i < texts; i++) {
         String text = text();
         String told = "seed=" + SEED + " " + row + "=" + text;
         Object byFlag = outcome(row, new String[] {row + "=" + text}, Map.of());
@@ -96,7 +98,8 @@ final class SettingDoorsTest {
         }
       }
     }
-    assertTrue(good > 400 && bad > 400, "seed=" + SEED + " good=" + good + " bad=" + bad);
+    assertTrue(
+        good > 16 * texts && bad > 16 * texts, "seed=" + SEED + " good=" + good + " bad=" + bad);
   }
 
   @Test

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import carom.client.ClientConfig;
 import carom.client.GameClient;
+import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.Jvm;
@@ -130,7 +131,7 @@ class FleetProcessTest {
           System.nanoTime() < endNs,
           () -> what + " isn't so after 60 s: " + places() + "\n" + logs());
       clients.forEach(client -> client.update(System.nanoTime()));
-      Thread.sleep(2);
+      Thread.sleep(8);
     }
   }
 
@@ -265,7 +266,10 @@ class FleetProcessTest {
     start("c");
     transport = new KryoClientTransport();
     for (int i = 0; i < PLAYERS; i++) {
-      ClientConfig config = ClientConfig.of("p" + i).withServer("127.0.0.1", ports.get("a"), 0);
+      ClientConfig config = // one predicts: where a room is doesn't concern prediction
+          ClientConfig.of("p" + i)
+              .withServer("127.0.0.1", ports.get("a"), 0)
+              .with(ClientConfig.PREDICTION, i == 0 ? PredictionMode.ISLAND : PredictionMode.NONE);
       clients.add(new GameClient(config, transport, new Bot(i, true)));
       updateUntil("plays", this::allPlay);
     }
