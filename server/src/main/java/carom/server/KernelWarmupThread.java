@@ -36,7 +36,7 @@ final class KernelWarmupThread {
   private final Thread thread = new Thread(this::run, "carom-warm-up");
   private final List<VectorKernels> sets = new CopyOnWriteArrayList<>();
 
-  /** What is still needed before the thread starts: {@link #begin}, and a world that wants it. */
+  /** Calls that the thread still waits for: {@link #begin}, and a world that wants it. */
   private final AtomicInteger missing = new AtomicInteger(2);
 
   private final AtomicBoolean wanted = new AtomicBoolean();
