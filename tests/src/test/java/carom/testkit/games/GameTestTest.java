@@ -201,7 +201,8 @@ class GameTestTest {
     @Override
     public void begin(Match m) {
       for (int i = 0; i < 40; i++) {
-        m.spawn(crate, i % 8 * 1.1f - 4, i / 8 * 1.1f - 2);
+        int row = i / 8;
+        m.spawn(crate, i % 8 * 1.1f - 4, row * 1.1f - 2);
       }
     }
 
