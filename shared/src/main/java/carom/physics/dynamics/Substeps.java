@@ -154,6 +154,10 @@ final class Substeps {
       }
       limit(dt, false);
     }
+    if (jointsToo) {
+      phases.run();
+      jointSolver.limit(solverBodies, contacts, dt, false, true);
+    }
     begins(StepStage.FINISH);
     contactSolver.store(phases);
     jointSolver.store(); // reads poses as they were, and nothing that contacts store
@@ -174,11 +178,11 @@ final class Substeps {
     solverBodies.afterJoints();
   }
 
-  /** Takes energy away from what joints hold together, if there is more than can be. */
+  /** Takes energy away from what joints in trouble hold together, if there is more than can be. */
   private void limit(float dt, boolean moves) {
-    if (jointSolver.limits()) {
+    if (jointSolver.anyTroubled()) {
       beforeJoints();
-      jointSolver.limit(solverBodies, contacts, dt, moves);
+      jointSolver.limit(solverBodies, contacts, dt, moves, false);
       afterJoints();
     }
   }

@@ -32,14 +32,21 @@ final class Assembly {
     /** Hinges, welds, rods, ropes, limits, brakes, friction and gears. */
     RIGID,
     /** Springs of hinges, welds, sliders, wheels, rods and motors. */
-    SPRUNG
+    SPRUNG,
+    /**
+     * All of these, ropes, ratchets, grooves, racks and pulleys, springs with limits and brakes; in
+     * ladders, too. The joints of one in four break.
+     */
+    MIXED;
+
+    private int kinds() {
+      return this == RIGID ? 10 : this == SPRUNG ? 8 : 26;
+    }
   }
 
   static final float DT = 1f / 60;
-  private static final String[] FORMS = {"tree", "star", "ring", "chain"};
+  private static final String[] FORMS = {"tree", "star", "ring", "chain", "ladder"};
   private static final float GRAVITY = 10;
-  private static final int RIGID_KINDS = 10;
-  private static final int SPRUNG_KINDS = 8;
 
   final World<String> world;
   final int bodyCount;
@@ -53,6 +60,7 @@ final class Assembly {
   private final int one;
   private final double mostRatio;
   private final float speed;
+  private final boolean breaks;
   private final List<Body<String>> bodies = new ArrayList<>();
 
   /** Draws an assembly, of which the first bodies are made; all for a number below 2. */
@@ -67,11 +75,12 @@ final class Assembly {
     size = (float) (0.02 * Math.pow(1000, r.nextDouble()));
     int drawn = 2 + r.nextInt(r.nextInt(4) == 0 ? 11 : 6);
     bodyCount = first >= 2 ? Math.min(first, drawn) : drawn;
-    form = r.nextInt(FORMS.length);
-    one = r.nextInt(3) == 0 ? -1 : r.nextInt(kind == Kind.RIGID ? RIGID_KINDS : SPRUNG_KINDS);
+    form = r.nextInt(kind == Kind.MIXED ? FORMS.length : FORMS.length - 1);
+    one = r.nextInt(3) == 0 ? -1 : r.nextInt(kind.kinds());
     this.mostRatio = Math.pow(mostRatio, r.nextDouble());
     float fast = new float[] {0, 0.001f, 1, 5, 20}[r.nextInt(5)];
     speed = Math.min(fast * (float) Math.max(0.1, Math.sqrt(size)), 10 * size);
+    breaks = kind == Kind.MIXED && r.nextInt(4) == 0;
     world = new World<>(new WorldDef().withGravity(0, falls ? -GRAVITY : 0).withSleeping(false));
     if (dropped) {
       BodyDef floor = new BodyDef(BodyType.STATIC).position(0, -1);
@@ -90,12 +99,19 @@ final class Assembly {
     float halfX = size * (0.2f + 0.8f * r.nextFloat()) / 2;
     float halfY = size * (0.1f + 0.9f * r.nextFloat()) / 2;
     Body<String> parent =
-        i == 0 ? null : bodies.get(form == 0 ? r.nextInt(i) : form == 1 ? 0 : i - 1);
+        switch (i == 0 ? -1 : form) {
+          case -1 -> null;
+          case 0 -> bodies.get(r.nextInt(i));
+          case 1 -> bodies.get(0);
+          case 4 -> bodies.get(i - (i == 1 ? 1 : 2));
+          default -> bodies.get(i - 1);
+        };
     float angle =
         switch (form) {
           case 0 -> r.nextFloat() * 2 * Trig.PI;
           case 1 -> 2 * Trig.PI * i / Math.max(1, drawn - 1);
           case 2 -> 2 * Trig.PI * i / drawn;
+          case 4 -> i == 1 ? Trig.PI / 2 : 0;
           default -> 0;
         };
     float far = size * (r.nextInt(3) == 0 ? r.nextFloat() : 1);
@@ -119,6 +135,9 @@ final class Assembly {
     } else if (held) {
       join(r, null, bodies.get(i));
     }
+    if (form == 4 && i % 2 == 1 && i > 1) {
+      join(r, bodies.get(i - 1), bodies.get(i));
+    }
   }
 
   private void join(Random r, Body<String> a, Body<String> b) {
@@ -127,9 +146,24 @@ final class Assembly {
     float along = r.nextInt(4) > 0 ? r.nextFloat() : r.nextBoolean() ? -1 : 2;
     float x = ax + (b.x() - ax) * along;
     float y = ay + (b.y() - ay) * along;
-    int which = one >= 0 ? one : r.nextInt(kind == Kind.RIGID ? RIGID_KINDS : SPRUNG_KINDS);
-    world.createJoint(
-        kind == Kind.RIGID ? rigid(which, r, a, b, x, y) : sprung(which, r, a, b, x, y));
+    int which = one >= 0 ? one : r.nextInt(kind.kinds());
+    int rigid = Kind.RIGID.kinds();
+    JointDef<String> def =
+        switch (kind) {
+          case RIGID -> rigid(which, r, a, b, x, y);
+          case SPRUNG -> sprung(which, r, a, b, x, y);
+          case MIXED ->
+              which < rigid
+                  ? rigid(which, r, a, b, x, y)
+                  : which < rigid + Kind.SPRUNG.kinds()
+                      ? sprung(which - rigid, r, a, b, x, y)
+                      : other(which - rigid - Kind.SPRUNG.kinds(), r, a, b, x, y);
+        };
+    if (breaks) {
+      float weight = GRAVITY * b.mass() * (float) Math.pow(100, r.nextDouble());
+      def.breaksAt(weight, weight * size);
+    }
+    world.createJoint(def);
   }
 
   private JointDef<String> rigid(
@@ -172,6 +206,33 @@ final class Assembly {
       case 6 -> JointDef.distance(a, b, x, y, b.x(), b.y() + 0.01f * size).spring(hertz, damping);
       default ->
           JointDef.motor(a, b, strong, strong).spring(hertz, damping).angularSpring(hertz, damping);
+    };
+  }
+
+  private JointDef<String> other(
+      int which, Random r, Body<String> a, Body<String> b, float x, float y) {
+    float hertz = (float) (0.5 * Math.pow(240, r.nextDouble()));
+    float damping = r.nextBoolean() ? 0 : r.nextFloat();
+    float range = 0.1f + 0.5f * r.nextFloat();
+    float turn = r.nextFloat() * 2 * Trig.PI;
+    float cos = Trig.cos(turn);
+    float sin = Trig.sin(turn);
+    float far = (float) Math.hypot(x - b.x(), y - b.y());
+    JointDef<String> slider = JointDef.prismatic(a, b, x, y, cos, sin);
+    JointDef<String> hinge = JointDef.revolute(a, b, x, y);
+    return switch (which) {
+      case 0 -> JointDef.rope(a, b, x, y, b.x(), b.y(), far + size * range);
+      case 1 -> JointDef.ratchet(a, b, x, y, r.nextBoolean() ? range : -range);
+      case 2 -> JointDef.groove(a, b, x, y, x + size * cos, y + size * sin, x, y);
+      case 3 -> JointDef.wheel(a, b, x, y, cos, sin).spring(hertz, damping).motor(0, size);
+      case 4 -> hinge.spring(hertz, damping).limits(-range, range);
+      case 5 -> slider.spring(hertz, damping).limits(-size * range, size * range);
+      case 6 -> a == null ? hinge : JointDef.rack(a, b, cos, sin, size * range);
+      default ->
+          a == null
+              ? hinge
+              : JointDef.pulley(
+                  a, b, x, y, b.x(), b.y(), x, y + 2 * size, b.x(), b.y() + 3 * size, range);
     };
   }
 

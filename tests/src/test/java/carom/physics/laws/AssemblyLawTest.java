@@ -15,13 +15,16 @@ import org.junit.jupiter.params.provider.CsvSource;
  *
  * <p>Goal: no passive assembly makes energy, or turns itself. Method: thousands of small worlds;
  * the first case that fails is shrunk and printed with its seed. Of assemblies as wild as these 1
- * in 100 may gain energy (docs/engine/JOINTS.md). {@code ./gradlew laws} draws others for an hour,
- * beginning with {@code -Pseed=N}.
+ * in 1,000 may gain energy (docs/engine/JOINTS.md). {@code ./gradlew laws} draws others for an
+ * hour, beginning with {@code -Pseed=N}.
  */
 final class AssemblyLawTest {
   private static final int STEPS = 240;
   private static final long SEED = Long.getLong("carom.laws.seed", 1);
   private static final int MINUTES = Integer.getInteger("carom.laws.minutes", 0);
+
+  /** Most part of the assemblies that may break a law. */
+  private static final double RARE = 0.001;
 
   /** A law: null, or what is wrong. */
   private interface Law {
@@ -30,17 +33,22 @@ final class AssemblyLawTest {
 
   @Test
   void rigidAssembliesGainNoEnergy() {
-    hold(Kind.RIGID, 10, 250, 1, AssemblyLawTest::gain);
-    hold(Kind.RIGID, 10_000, 250, 2, AssemblyLawTest::gain);
+    hold(Kind.RIGID, 10, 250, RARE, AssemblyLawTest::gain);
+    hold(Kind.RIGID, 10_000, 250, RARE, AssemblyLawTest::gain);
   }
 
   @Test
   void sprungAssembliesGainNoEnergy() {
-    hold(Kind.SPRUNG, 10, 250, 1, AssemblyLawTest::gain);
-    hold(Kind.SPRUNG, 10_000, 250, 2, AssemblyLawTest::gain);
+    hold(Kind.SPRUNG, 10, 250, RARE, AssemblyLawTest::gain);
+    hold(Kind.SPRUNG, 10_000, 250, RARE, AssemblyLawTest::gain);
   }
 
-  /** What a light link between heavy ones got of a floor's impulses, times what was put in. */
+  @Test
+  void assembliesOfAllJointsGainNoEnergy() {
+    hold(Kind.MIXED, 1000, 250, RARE, AssemblyLawTest::gain);
+  }
+
+  /** What a floor's impulses and errors of position gave them, times what was put in. */
   @ParameterizedTest
   @CsvSource({
     "RIGID, 10000, 639", // 31,710
@@ -51,7 +59,11 @@ final class AssemblyLawTest {
     "SPRUNG, 1000, 12", // 182
     "SPRUNG, 10, 417", // 4
     "SPRUNG, 100, 1390", // 0.6
-    "SPRUNG, 10000, 1268" // 62
+    "SPRUNG, 10000, 1268", // 62
+    "RIGID, 1000, 101958", // 5.5
+    "RIGID, 10000, 101952", // 2.7
+    "RIGID, 10000, 101011", // 0.5
+    "SPRUNG, 10, 201760" // 1.5
   })
   void assembliesInTroubleGainNoEnergy(Kind kind, double ratio, long seed) {
     assertNull(gain(new Assembly(seed, kind, ratio, 0)));
@@ -63,7 +75,7 @@ final class AssemblyLawTest {
     hold(Kind.SPRUNG, 30, 400, 0, AssemblyLawTest::change);
   }
 
-  private static void hold(Kind kind, double ratio, int cases, int mayFail, Law law) {
+  private static void hold(Kind kind, double ratio, int cases, double mayFail, Law law) {
     long end = System.nanoTime() + MINUTES * 60_000_000_000L;
     List<Long> failed = new ArrayList<>();
     int drawn = 0;
@@ -72,7 +84,7 @@ final class AssemblyLawTest {
         failed.add(seed);
       }
     }
-    if ((long) failed.size() * cases > (long) mayFail * drawn) {
+    if (failed.size() > mayFail * drawn) {
       String first = shrunk(failed.get(0), kind, ratio, law);
       fail(failed.size() + " of " + drawn + " fail, seeds=" + failed + "; the first: " + first);
     }

@@ -172,6 +172,30 @@ final class PassiveJointTest {
     }
   }
 
+  /** Planks that loads threw about got 490 times what was put in. */
+  @ParameterizedTest
+  @CsvSource({"0.09, 230", "0.09, 1000", "1, 230", "5, 20"})
+  void aBridgeUnderHeavyLoadsGainsNothing(float plank, float ratio) {
+    World<String> w = world(-10);
+    Body<String> before = null;
+    for (int i = 0; i < 7; i++) {
+      BodyDef def =
+          dynamic(i * plank, 0).shape(new Box(plank / 2, plank / 12), material(1), apart());
+      Body<String> next = w.createBody(def, "plank");
+      w.createJoint(JointDef.revolute(before, next, (i - 0.5f) * plank, 0));
+      before = next;
+    }
+    w.createJoint(JointDef.revolute(null, before, 6.5f * plank, 0));
+    double heavy = 0;
+    for (float x : new float[] {1.2f, 4.8f, 0.2f}) {
+      BodyDef def = dynamic(x * plank, plank * (1 + x / 2));
+      Material stone = material(ratio / (6 * 1.13f));
+      Body<String> load = w.createBody(def.shape(new Circle(plank * 0.6f), stone), "load");
+      heavy += load.mass() * 10;
+    }
+    assertPassive(w, 240, heavy * 4 * plank, "plank=" + plank + " ratio=" + ratio);
+  }
+
   /** What is carried along isn't passive: a trolley sets in motion what hangs on it. */
   @ParameterizedTest
   @EnumSource

@@ -328,6 +328,21 @@ public final class SolverBodies {
     parallel.run(1, count, GRAIN, remembering);
   }
 
+  /** Returns how gravity and forces accelerate the body at a slot along x, m/s^2. */
+  public float accelerationX(int slot) {
+    return ax[slot];
+  }
+
+  /** Returns the same along y. */
+  public float accelerationY(int slot) {
+    return ay[slot];
+  }
+
+  /** Returns how torques accelerate the turning of the body at a slot, rad/s^2. */
+  public float angularAcceleration(int slot) {
+    return aw[slot];
+  }
+
   /**
    * Returns the velocities that were remembered.
    *

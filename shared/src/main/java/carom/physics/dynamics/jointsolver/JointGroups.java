@@ -13,6 +13,7 @@ import static carom.physics.dynamics.domain.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.SolverBodies;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointTrees;
 import carom.physics.dynamics.jointtree.TreeResponse;
@@ -39,8 +40,9 @@ import java.util.function.IntPredicate;
  *   <li><b>Bias.</b> What draws anchors together is taken out again by the visits after bodies
  *       moved. What they miss is held back ({@link #hold}).
  *   <li><b>Contacts.</b> Their old impulses may be such that only joints balance them, and what is
- *       measured from the velocities of before joints is then no bound. Groups that all visits
- *       didn't settle are compared with what they had when the step began ({@link #limit}).
+ *       measured from the velocities of before joints is then no bound. So each step ends with what
+ *       groups had when it began ({@link #limit}). Those that all visits didn't settle are held by
+ *       a wider bound in each substep, too.
  * </ul>
  *
  * <p>With the velocities v before, their change u and the masses M, a share s of u changes the
@@ -50,7 +52,9 @@ import java.util.function.IntPredicate;
  *
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
- * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy.
+ * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy. A plain group
+ * that is held and turns fast, or touches far heavier bodies is compared at the step's end, as all
+ * others are.
  *
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
@@ -64,19 +68,28 @@ final class JointGroups {
   /** The same for groups with springs, turning motors, gears, racks or pulleys. */
   private static final double LITTLE = 5e-5;
 
-  /** Part of its energy that a troubled group may gain in a step, for the errors of steps. */
-  private static final double GRAIN = 0.002;
+  /** Part of its energy that a group may gain in a step, for the errors of steps. */
+  private static final double GRAIN = 3e-4;
 
   /** Times of its energy, and speed of all of it, m/s, with which anchors may be drawn together. */
   private static final double PULL = 4;
 
   private static final double PULL_SPEED = 3;
 
+  /** Energy per mass that a group may get from nothing in a step, for rounding, J/kg: 1.4 mm/s. */
+  private static final double REST = 1e-6;
+
   /** Energy that trees change, in parts of their group's, from which it is in trouble. */
   private static final double BLOW = 0.1;
 
   /** Joints per body from which hinges are a net. */
   private static final float NET = 1.5f;
+
+  /** Part of what springs hold that they may get from nothing in a step. */
+  private static final double WOUND = 0.01;
+
+  /** Part of the most speed of turning from which a body turns fast. */
+  private static final float FAST = 0.1f;
 
   /** Most ratio of the masses of a group that isn't watched. */
   private static final float EVEN = 4;
@@ -181,6 +194,9 @@ final class JointGroups {
   /** Per group: whether it touches what can't be moved. */
   private boolean[] isPropped = new boolean[0];
 
+  /** Per group: whether it is plain, and is held and turns fast or touches a far heavier body. */
+  private boolean[] isStrained = new boolean[0];
+
   /** Per group: whether it gets more visits already where these change little. */
   private boolean[] isFine = new boolean[0];
 
@@ -224,6 +240,9 @@ final class JointGroups {
 
   /** Slots of the joints to solve. */
   private int[] slots;
+
+  /** Per body: its slot in {@code SolverBodies}. */
+  private int[] slotOf;
 
   /** Makes empty lists. */
   JointGroups() {}
@@ -342,6 +361,7 @@ final class JointGroups {
     isTroubled = new boolean[capacity];
     given = new double[capacity];
     isPropped = new boolean[capacity];
+    isStrained = new boolean[capacity];
     isFine = new boolean[capacity];
     isCarried = new boolean[capacity];
     more = new boolean[capacity];
@@ -440,16 +460,14 @@ final class JointGroups {
   }
 
   /** Begins a step of substeps of h seconds: looks at masses, and at what gives groups energy. */
-  void beginStep(int[] slotOf, float h) {
+  void beginStep(int[] slotsOf, float h) {
+    slotOf = slotsOf;
     mostSpin = MAX_ROTATION / h;
     isFirst = true;
     anyTroubled = false;
     Arrays.fill(isTroubled, 0, count, false);
     for (int i = 0; i < watched; i++) {
-      int slot = body[i];
-      place[i] = slotOf[slot];
-      mass[i] = 1.0 / bodies.invMass[slot];
-      inertia[i] = bodies.invInertia[slot] > 0 ? 1.0 / bodies.invInertia[slot] : 0;
+      lookAt(i);
     }
     motors = 0;
     for (int g = 0; g < count; g++) {
@@ -482,6 +500,14 @@ final class JointGroups {
         tended[tendedCount++] = i;
       }
     }
+  }
+
+  /** Looks at the place and mass of a body. */
+  private void lookAt(int member) {
+    int slot = body[member];
+    place[member] = slotOf[slot];
+    mass[member] = 1.0 / bodies.invMass[slot];
+    inertia[member] = bodies.invInertia[slot] > 0 ? 1.0 / bodies.invInertia[slot] : 0;
   }
 
   /** Returns whether a body moves that can't be moved. */
@@ -804,72 +830,99 @@ final class JointGroups {
         v[at + W] -= (float) (back * change[3 * i + 2]);
       }
     }
-    for (int from = 0; from < tendedCount; from = end(from)) {
+    for (int from = 0; from < tendedCount; from = end(from, tendedCount)) {
       int g = groupOf[tended[from]];
       if (stored[g] > 0) {
-        slow(from, end(from), isFree[g], stored[g], v);
+        slow(from, end(from, tendedCount), isFree[g], stored[g], v);
         stored[g] = 0;
       }
     }
   }
 
   /** Returns where the tended bodies of a group end that begins there. */
-  private int end(int from) {
+  private int end(int from, int n) {
     int to = from + 1;
-    while (to < tendedCount && groupOf[tended[to]] == groupOf[tended[from]]) {
+    while (to < n && groupOf[tended[to]] == groupOf[tended[from]]) {
       to++;
     }
     return to;
   }
 
-  /** Returns whether a group is in trouble, for which {@link #limit} is. */
+  /** Returns whether a group is in trouble. */
   boolean anyTroubled() {
     return anyTroubled;
   }
 
   /**
-   * Slows groups in trouble that have more energy than when the step began, than gravity and forces
-   * have given them since, and than what touches them has. This is the last net. Weighing and
-   * holding compare with the velocities of before joints, in which the impulses of contacts may be
-   * that only joints balance; so they don't notice what a light link gets of a heavy load.
+   * Slows groups that have more energy than when the step began, than gravity and forces have given
+   * them since, and than what touches them has. This is the last net. Weighing and holding compare
+   * with the velocities of before joints, in which the impulses of contacts may be that only joints
+   * balance; so they don't notice what a light link gets of a heavy load. Nor do they know of
+   * errors of position, which draw bodies uphill.
    *
-   * @param v state of the bodies
+   * @param solver the bodies, and how gravity and forces accelerate them
    * @param contacts touch the groups
-   * @param s tell gravity
+   * @param s tell how fast overlap is pushed apart
    * @param stepS length of the step, s
    * @param torn tells which joints may pull as they like
    * @param pulls whether bodies move next, with what draws their anchors together
+   * @param ends true at the end of the step, when all groups are looked at; false for those in
+   *     trouble
    */
   void limit(
-      float[] v,
+      SolverBodies solver,
       ContactTable contacts,
       Settings s,
       double stepS,
       IntPredicate torn,
-      boolean pulls) {
+      boolean pulls,
+      boolean ends) {
+    float[] v = solver.state;
     boolean known = false;
-    double fall = (double) s.gravityX() * s.gravityX() + (double) s.gravityY() * s.gravityY();
-    fall *= 0.5 * stepS * stepS / s.substeps();
-    for (int from = 0; from < tendedCount; from = end(from)) {
+    double half = 0.5 * stepS / s.substeps();
+    int n = ends ? addStrained(v, contacts) : tendedCount;
+    int next;
+    for (int from = 0; from < n; from = next) {
       int g = groupOf[tended[from]];
-      if (!isTroubled[g] || (pulls && isTorn(g, torn))) {
+      next = end(from, n);
+      if ((!ends && !isTroubled[g]) || (pulls && isTorn(g, torn))) {
         continue;
       }
-      int to = end(from);
-      double before = 0;
+      int to = next;
+      double before = isSprung[g] ? springsBefore[g] - springsNow[g] : 0;
+      double begun = 0;
+      double heavy = 0;
       double now = 0;
       double m = 0;
       for (int i = from; i < to; i++) {
         int slot = body[tended[i]];
         int at = place[tended[i]] * STRIDE;
+        double x = mass[tended[i]] * solver.accelerationX(place[tended[i]]);
+        double y = mass[tended[i]] * solver.accelerationY(place[tended[i]]);
+        double torque = inertia[tended[i]] * solver.angularAcceleration(place[tended[i]]);
+        double turn = torque == 0 ? 0 : Trig.atan2(v[at + SIN], v[at + COS]);
         m += mass[tended[i]];
-        before += kinetic(tended[i], bodies.vx[slot], bodies.vy[slot], bodies.w[slot]);
-        before += work(slot, mass[tended[i]] * bodies.gravityScale[slot], v, at, s);
+        heavy += Math.abs(x) + Math.abs(y);
+        begun += kinetic(tended[i], bodies.vx[slot], bodies.vy[slot], bodies.w[slot]);
+        before += half * (x * bodies.vx[slot] + y * bodies.vy[slot] + torque * bodies.w[slot]);
+        before += x * v[at + DX] + y * v[at + DY] + torque * turn;
         now += kinetic(tended[i], v[at + VX], v[at + VY], v[at + W]);
+        now += half * (x * v[at + VX] + y * v[at + VY] + torque * v[at + W]);
       }
-      before += isSprung[g] ? springsBefore[g] - springsNow[g] : 0;
+      before += begun;
+      double lifted = heavy * s.maxPushSpeed() * stepS + (isSprung[g] ? WOUND * springsNow[g] : 0);
+      if (ends && -before > m * REST + lifted && !isPlain[g]) {
+        if (!known) {
+          known = true;
+          findTouching(contacts);
+        }
+        boolean loose = !hasTree[g] || isPropped[g]; // a tree may pull up what hangs on it
+        if (loose && -before > lifted + given[g] && !isTorn(g, torn)) {
+          goBack(from, to, begun / (begun - before), v);
+        }
+      }
       before = Math.max(before, 0);
-      double most = (1 + GRAIN) * before + m * fall;
+      double most = (1 + GRAIN) * before + m * REST;
       most = pulls ? Math.max(most, PULL * before + 0.5 * m * PULL_SPEED * PULL_SPEED) : most;
       if (now > most && !known) {
         known = true;
@@ -888,17 +941,65 @@ final class JointGroups {
     }
   }
 
-  private double kinetic(int member, double vx, double vy, double w) {
-    return 0.5 * (mass[member] * (vx * vx + vy * vy) + inertia[member] * w * w);
+  /**
+   * Adds the bodies of plain groups that are held and turn fast, or on which far heavier bodies lie
+   * or fall. Returns the number of bodies whose energy is held now.
+   */
+  private int addStrained(float[] v, ContactTable contacts) {
+    int n = tendedCount;
+    if (watched == bodyCount) {
+      return n;
+    }
+    Arrays.fill(isStrained, 0, count, false);
+    boolean any = false;
+    for (int i = watched; i < bodyCount; i++) {
+      boolean fast = Math.abs(v[slotOf[body[i]] * STRIDE + W]) > FAST * mostSpin;
+      if (fast && !isFree[groupOf[i]] && !isCarried[groupOf[i]]) {
+        isStrained[groupOf[i]] = true;
+        any = true;
+      }
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.points[row] > 0) {
+        int a = contacts.bodyA(row);
+        int b = contacts.bodyB(row);
+        any |= load(a, b) | load(b, a);
+      }
+    }
+    for (int i = watched; any && i < bodyCount; i++) {
+      if (isStrained[groupOf[i]]) {
+        lookAt(i);
+        tended[n++] = i;
+      }
+    }
+    return n;
   }
 
-  /** Returns what gravity and forces have done on the way of a body since the step began, J. */
-  private double work(int slot, double heavy, float[] v, int at, Settings s) {
-    double x = heavy * s.gravityX() + bodies.forceX[slot];
-    double y = heavy * s.gravityY() + bodies.forceY[slot];
-    double turning = bodies.torque[slot];
-    double work = x * v[at + DX] + y * v[at + DY];
-    return turning == 0 ? work : work + turning * Trig.atan2(v[at + SIN], v[at + COS]);
+  /** Notes a body of a plain group that touches a far heavier body. */
+  private boolean load(int slot, int other) {
+    int g = group(slot);
+    boolean heavy = g >= 0 && isPlain[g] && !isCarried[g] && isMovable(other);
+    if (!heavy || EVEN * bodies.invMass[other] > heaviest[g]) {
+      return false;
+    }
+    isStrained[g] = true;
+    return true;
+  }
+
+  /** Moves a group back to a share of its way in this step: errors of position drew it uphill. */
+  private void goBack(int from, int to, double share, float[] v) {
+    for (int i = from; i < to; i++) {
+      int at = place[tended[i]] * STRIDE;
+      float turn = (float) (share * Trig.atan2(v[at + SIN], v[at + COS]));
+      v[at + DX] *= (float) share;
+      v[at + DY] *= (float) share;
+      v[at + SIN] = Trig.sin(turn);
+      v[at + COS] = Trig.cos(turn);
+    }
+  }
+
+  private double kinetic(int member, double vx, double vy, double w) {
+    return 0.5 * (mass[member] * (vx * vx + vy * vy) + inertia[member] * w * w);
   }
 
   /** Finds what touches groups, and so may give them energy. */

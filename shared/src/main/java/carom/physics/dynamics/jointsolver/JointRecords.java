@@ -252,10 +252,14 @@ final class JointRecords {
     d[at + ANGLE_SIN] = relativeSin * j.refCos[slot] - relativeCos * j.refSin[slot];
   }
 
-  /** Returns whether the anchors of a joint, which is measured, are where only a teleport moves. */
+  /**
+   * Returns whether the anchors of a joint, which is measured, are where only a teleport moves.
+   * What moves them as far within a step isn't one.
+   */
   boolean isTorn(int k) {
     int at = k * RECORD;
-    return pointed[k] && Math.abs(data[at + NOW_DX]) + Math.abs(data[at + NOW_DY]) > TORN;
+    boolean begins = poses == 1 && pointed[k];
+    return begins && Math.abs(data[at + NOW_DX]) + Math.abs(data[at + NOW_DY]) > TORN;
   }
 
   private static byte kindOf(JointStore j, int slot, boolean tree) {

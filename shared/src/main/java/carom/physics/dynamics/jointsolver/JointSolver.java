@@ -444,8 +444,8 @@ public final class JointSolver {
     }
   }
 
-  /** Returns whether {@link #limit} does anything. */
-  public boolean limits() {
+  /** Returns whether visits didn't settle a group of joints in this step. */
+  public boolean anyTroubled() {
     return groups.anyTroubled();
   }
 
@@ -455,9 +455,11 @@ public final class JointSolver {
    * @param contacts touch them
    * @param dt length of the step, s
    * @param pulls whether bodies move next, with what draws their anchors together
+   * @param ends true at the end of the step, when all groups are looked at; false for those in
+   *     trouble
    */
-  public void limit(SolverBodies b, ContactTable contacts, float dt, boolean pulls) {
-    groups.limit(b.state, contacts, settings, dt, torn, pulls);
+  public void limit(SolverBodies b, ContactTable contacts, float dt, boolean pulls, boolean ends) {
+    groups.limit(b, contacts, settings, dt, torn, pulls, ends);
   }
 
   /** Returns whether the anchors of a joint, given by its index, are far apart. */
