@@ -139,7 +139,7 @@ class BenchCommandTest {
             "--json",
             "--quick",
             "--warm-up=0.1",
-            "--cap=1",
+            "--cap=2",
             "--scenes=bp_uniform_1k,rebuild_10k,create_10k,pairs_1k");
     assertEquals(0, status, err.toString());
     List<String> rows = out.toString().lines().toList();
