@@ -963,7 +963,8 @@ final class JointGroups {
       if (contacts.points[row] > 0) {
         int a = contacts.bodyA(row);
         int b = contacts.bodyB(row);
-        any |= load(a, b) | load(b, a);
+        any |= load(a, b);
+        any |= load(b, a);
       }
     }
     for (int i = watched; any && i < bodyCount; i++) {
