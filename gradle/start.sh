@@ -35,7 +35,7 @@ priorities=
 version=\$(sed -n 's/^JAVA_VERSION="\\([0-9]*\\).*/\\1/p' "\$jdk/release" 2>/dev/null)
 if [ "\$(uname)" = Linux ] && [ "\${version:-99}" -le 25 ]; then
     compilers=10
-    case " \$* " in *" --fleet"*) compilers=0 ;; esac
+    case " \$* \${CAROM_FLEET:+--fleet}" in *" --fleet"*) compilers=0 ;; esac
     priorities="-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=\$compilers"
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"
 fi

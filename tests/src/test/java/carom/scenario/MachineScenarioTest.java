@@ -442,9 +442,7 @@ final class MachineScenarioTest {
   @ValueSource(strings = {"bridge", "ragdolls", "ropes"})
   void spectatorsSeeTheJointsOfAScene(String name) {
     // Goal: --scene shows joints over the network: all are drawn, none apart, and those that
-    // broke are gone. Method: a spectator of a scene for a quarter of a minute. Where a rope comes
-    // taut, links 0.35 m long turn against each other at 17 rad/s, of which pictures between two
-    // snapshots know 2.3 cm too little.
+    // broke are gone. Method: a spectator of a scene for a quarter of a minute.
     Level level = SceneGame.level(Scenes.get(name));
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.add("p", FAR, Scripts.wander(Stepper.SEED));
@@ -475,7 +473,7 @@ final class MachineScenarioTest {
       stepper.run(0.5);
       String about = name + ": gap=" + worst + " " + stepper.describe();
       assertEquals(server.world().jointCount(), client.view().jointCount(), about);
-      assertTrue(worst < 0.03, about);
+      assertTrue(worst < 0.02, about);
     }
   }
 

@@ -60,8 +60,9 @@ final class KernelWarmup {
   private static final int BLOCK_SHARE = 32;
 
   /**
-   * Rows of a step from which on kernels are worth their warm-up: they save some 0.05 ms of such a
-   * step, and the warm-up takes ten seconds of a processor and several GB of garbage.
+   * Rows of a step from which on kernels are worth their warm-up, which takes seconds of a
+   * processor and several GB of garbage. Chosen, not measured: rooms of a few dozen bodies have
+   * less.
    */
   private static final int WORTH_ROWS = 128;
 

@@ -69,7 +69,7 @@ final class JointGroups {
   private static final double LITTLE = 5e-5;
 
   /** Part of its energy that a group may gain in a step, for the errors of steps. */
-  private static final double GRAIN = 3e-4;
+  private static final double GRAIN = 1e-3;
 
   /** Times of its energy, and speed of all of it, m/s, with which anchors may be drawn together. */
   private static final double PULL = 4;
