@@ -35,6 +35,8 @@ final class Announcer {
   private final FleetView view;
   private final Placement placement;
   private String peerAddress = "";
+  private String kind = "";
+  private int rooms;
   private long born; // the first lease
   private long serverNumber;
   private String serverTold = "";
@@ -61,6 +63,13 @@ final class Announcer {
   /** Sets where other servers reach this one, {@code host:port}; before the first announcement. */
   void reachedAt(String address) {
     peerAddress = address;
+  }
+
+  /** Sets for how many numbered rooms this server was started; told with the next announcement. */
+  void startedFor(String kindOfRooms, int count) {
+    kind = kindOfRooms;
+    rooms = count;
+    soon(0);
   }
 
   /** Begins anew under a lease that has just begun. */
@@ -99,6 +108,8 @@ final class Announcer {
             settings.plain(),
             peerAddress,
             host == null ? 0 : stepped(share(host.rooms()), SHARE_STEP),
+            kind,
+            rooms,
             placement.lookers(),
             draining);
     String value = record.toJson();

@@ -5,6 +5,7 @@ import carom.server.command.SaveSource;
 import carom.server.config.DataFolder;
 import carom.server.config.RoomConfig;
 import carom.server.directory.Directory;
+import carom.server.directory.DirectoryEntry;
 import carom.server.directory.DirectoryException;
 import carom.server.room.FleetDoor;
 import carom.server.room.FleetRoom;
@@ -231,7 +232,8 @@ public final class FleetMember implements AutoCloseable {
 
   /**
    * Claims rooms before they are built. Rooms with names of their own that others have claimed are
-   * left out. Numbered ones get the first numbers that are free in the fleet.
+   * left out. Of numbered ones only as many are claimed as the fleet lacks, with the first numbers
+   * that are free there: the rooms of a server that was started again have gone to others.
    *
    * @param wanted the server's own rooms
    * @param numbered whether they are equal, so that their names are numbers
@@ -241,29 +243,73 @@ public final class FleetMember implements AutoCloseable {
    */
   public List<RoomConfig> claim(List<RoomConfig> wanted, boolean numbered, Runnable step)
       throws DirectoryException {
+    return numbered ? claimNumbered(wanted, step) : claimNamed(wanted, step);
+  }
+
+  private List<RoomConfig> claimNamed(List<RoomConfig> wanted, Runnable step)
+      throws DirectoryException {
     List<RoomConfig> owned = new ArrayList<>();
-    int number = 0;
     for (RoomConfig room : wanted) {
       step.run();
-      if (!numbered) {
-        if (claims.make(room) != null) {
-          owned.add(room);
-        } else {
-          LOG.info("fleet: room={} has another owner", room.name());
-        }
-        continue;
+      if (claims.make(room) != null) {
+        owned.add(room);
+      } else {
+        LOG.info("fleet: room={} has another owner", room.name());
       }
+    }
+    return owned;
+  }
+
+  private List<RoomConfig> claimNumbered(List<RoomConfig> wanted, Runnable step)
+      throws DirectoryException {
+    RoomConfig first = wanted.get(0);
+    String kind = RoomRecord.kind(first);
+    announcer.startedFor(kind, wanted.size());
+    announcer.tellServer(host, draining, clock.getAsLong()); // so that others count on it
+    int lacking = Math.min(wanted.size(), lacking(kind));
+    if (lacking < wanted.size()) {
+      LOG.info("fleet: begins rooms={} of {}: the fleet has the others", lacking, wanted.size());
+    }
+    List<RoomConfig> owned = new ArrayList<>();
+    int number = 0;
+    while (owned.size() < lacking) {
+      step.run();
       RoomConfig next;
       do {
         if (++number > MAX_NUMBERED) {
           throw new DirectoryException(
               "rooms=" + MAX_NUMBERED + " is all that a fleet numbers", null);
         }
-        next = room.withName(String.valueOf(number)).withSeed(wanted.get(0).seed() + number - 1);
+        next = first.withName(String.valueOf(number)).withSeed(first.seed() + number - 1);
       } while (view.rooms().containsKey(next.name()) || claims.make(next) == null);
       owned.add(next);
     }
     return owned;
+  }
+
+  /** Returns how many rooms of a kind the fleet has fewer than its servers were started for. */
+  private int lacking(String kind) throws DirectoryException {
+    int lacking = 0;
+    // Rooms first, so that each room's owner is among the servers.
+    for (DirectoryEntry room : directory.list(RoomRecord.PREFIX)) {
+      try {
+        lacking -= RoomRecord.parse(room.value()).isOfKind(kind) ? 1 : 0;
+      } catch (IOException e) {
+        LOG.debug("fleet: {} isn't counted: {}", room.key(), e.getMessage());
+      }
+    }
+    for (DirectoryEntry entry : directory.list(ServerRecord.PREFIX)) {
+      try {
+        long number = Long.parseLong(entry.key().substring(ServerRecord.PREFIX.length()));
+        ServerRecord server = ServerRecord.parse(number, entry.value());
+        // Another one at the same address is this one before it was started again.
+        boolean isThere = number == lease.number() || !server.address().equals(settings.address());
+        lacking += isThere && !server.draining() && server.kind().equals(kind) ? server.rooms() : 0;
+      } catch (IOException | NumberFormatException e) {
+        LOG.debug("fleet: {} isn't counted: {}", entry.key(), e.getMessage());
+      }
+    }
+    return Math.max(0, lacking);
   }
 
   /**

@@ -57,9 +57,19 @@ record RoomRecord(
     return PREFIX + room;
   }
 
-  /** Returns what stands for an account in {@link #accounts}. */
-  static String hashed(String account) {
-    return HashedKey.of("", account).substring(0, HASH_CHARACTERS);
+  /** Returns what stands for a longer text, such as an account in {@link #accounts}. */
+  static String hashed(String text) {
+    return HashedKey.of("", text).substring(0, HASH_CHARACTERS);
+  }
+
+  /** Returns what numbered rooms with the same settings have in common, 66 bits as text. */
+  static String kind(RoomConfig settings) {
+    return hashed(settings.game() + settings.levels() + settings.places());
+  }
+
+  /** Returns whether this is a numbered room of a kind. */
+  boolean isOfKind(String kind) {
+    return settings.name().chars().allMatch(Character::isDigit) && kind(settings).equals(kind);
   }
 
   /** Returns this record as that of a room that its owner gives up for a follower. */

@@ -19,6 +19,9 @@ import java.util.List;
  * @param plain host, TCP port and perhaps UDP port for stock KryoNet, empty for none
  * @param peer host and port for the other servers of the fleet
  * @param load the part of its processors that its rooms' ticks take, percent
+ * @param kind what kind of numbered rooms it was started for, see {@link RoomRecord#kind}; empty
+ *     for none
+ * @param rooms how many of them it was started for
  * @param lookers players who look for players about as good there, at most {@value #MAX_LOOKERS}
  * @param draining whether it takes no rooms and no newcomers, because it is about to stop
  */
@@ -31,6 +34,8 @@ public record ServerRecord(
     String plain,
     String peer,
     int load,
+    String kind,
+    int rooms,
     List<FleetDoor.Looker> lookers,
     boolean draining) {
   /** Begins the keys of servers in the directory. */
@@ -93,6 +98,8 @@ public record ServerRecord(
           json.writeStringField("plain", plain);
           json.writeStringField("peer", peer);
           json.writeNumberField("load", load);
+          json.writeStringField("kind", kind);
+          json.writeNumberField("rooms", rooms);
           if (!lookers.isEmpty()) {
             json.writeArrayFieldStart("lookers");
             for (FleetDoor.Looker looker : lookers) {
@@ -129,6 +136,8 @@ public record ServerRecord(
         FleetJson.text(json, "plain"),
         FleetJson.text(json, "peer"),
         FleetJson.whole(json, "load"),
+        FleetJson.text(json, "kind"),
+        FleetJson.whole(json, "rooms"),
         lookers,
         FleetJson.flag(json, "draining"));
   }

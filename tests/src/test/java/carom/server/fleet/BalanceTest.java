@@ -31,6 +31,8 @@ final class BalanceTest {
         "",
         "s" + lease + ":2",
         told,
+        "",
+        0,
         List.of(),
         false);
   }

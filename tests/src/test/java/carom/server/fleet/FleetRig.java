@@ -50,6 +50,9 @@ public final class FleetRig implements AutoCloseable {
   /** By which newcomers get a room; before the first one. */
   ServerConfig.RoomRule roomRule = ServerConfig.RoomRule.FILL;
 
+  /** What the next server's rooms play. */
+  String level = "arena";
+
   /** Time that each word takes from one server to another. */
   long lagNs;
 
@@ -164,7 +167,7 @@ public final class FleetRig implements AutoCloseable {
       List<RoomConfig> own =
           rooms == 0
               ? List.of()
-              : member.claim(RoomConfig.equalRooms(config, List.of("arena")), true, () -> {});
+              : member.claim(RoomConfig.equalRooms(config, List.of(level)), true, () -> {});
       server =
           new Server(
               config,
@@ -193,6 +196,17 @@ public final class FleetRig implements AutoCloseable {
           other.member.inbox().dead(lease);
         }
       }
+    }
+
+    /** Moves its rooms away and ends, as SIGTERM does. */
+    void leave() {
+      member.drain();
+      for (int i = 0; i < 100 && !member.isDrained(); i++) {
+        run(0.05);
+      }
+      dead = true;
+      network.server().close();
+      member.close();
     }
 
     void turn() {

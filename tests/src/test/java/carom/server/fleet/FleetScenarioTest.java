@@ -451,6 +451,70 @@ class FleetScenarioTest {
   }
 
   @Test
+  void serversThatAreStartedAgainAddNoRooms() throws Exception {
+    long seed = Long.getLong("carom.fleet.seed", System.nanoTime());
+    System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
+    Random random = new Random(seed);
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      for (String name : List.of("a", "b", "c")) {
+        rig.node(name, 2);
+      }
+      rig.run(2);
+      List<String> done = new ArrayList<>();
+      for (int i = 0; i < 8; i++) {
+        List<String> names = new ArrayList<>(rig.nodes.keySet());
+        String name = names.get(random.nextInt(names.size()));
+        FleetRig.Node old = rig.nodes.get(name);
+        switch (random.nextInt(3)) {
+          case 0 -> { // an update
+            done.add(name + " stops");
+            old.leave();
+            rig.run(random.nextDouble());
+            rig.node(name, 2);
+          }
+          case 1 -> { // an accident, perhaps before its lease is over
+            done.add(name + " is killed");
+            old.kill();
+            rig.run(3 * random.nextDouble());
+            rig.node(name, 2);
+          }
+          default -> { // an update in which the new one comes before the old one goes
+            done.add(name + " is replaced");
+            rig.node("new" + i, 2);
+            rig.run(random.nextDouble());
+            old.leave();
+            rig.nodes.remove(name);
+          }
+        }
+        rig.run(12);
+        Set<String> rooms = rig.rooms();
+        for (String room : rooms) {
+          assertEquals(1, rig.owners(room).size(), done + ": " + room);
+        }
+        int count = rooms.size();
+        assertTrue(count >= 6, done + ": " + rooms);
+        assertTrue(count <= (done.toString().contains("replaced") ? 8 : 6), done + ": " + rooms);
+      }
+    }
+  }
+
+  @Test
+  void serversOfOtherGamesBeginTheirOwnRooms() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 4)) {
+      rig.node("a", 2);
+      rig.run(1);
+      rig.level = "platformer";
+      rig.node("b", 3);
+      rig.run(1);
+      assertEquals(5, rig.rooms().size());
+      rig.nodes.get("b").leave();
+      rig.node("b", 3);
+      rig.run(3);
+      assertEquals(5, rig.rooms().size());
+    }
+  }
+
+  @Test
   void aServerThatIsAloneStopsAtOnce() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {
       FleetRig.Node node = rig.node("a", 1);
