@@ -304,11 +304,11 @@ final class WorkersTest {
     SceneRun run = Busy.PYRAMID.scene.start();
     try (WorkerThreads workers = new WorkerThreads(2)) {
       run.world().workers(workers);
-      for (int i = 0; i < 300; i++) {
+      for (int i = 0; i < 60; i++) {
         run.step();
       }
       long least = Long.MAX_VALUE;
-      for (int attempt = 0; attempt < 50 && least > 200; attempt++) { // vectors until compiled
+      for (int attempt = 0; attempt < 58 && least > 200; attempt++) { // vectors until compiled
         long before = threads.getCurrentThreadAllocatedBytes();
         for (int i = 0; i < 30; i++) {
           run.step();

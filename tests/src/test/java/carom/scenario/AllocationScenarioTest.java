@@ -2,9 +2,8 @@ package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ClientConfig;
-import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.fixtures.Crowd;
 import carom.net.transport.Impairment;
 import carom.suite.Optimized;
 import carom.testkit.Stepper;
@@ -22,7 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class AllocationScenarioTest {
   private static final int PLAYERS = 20;
   private static final double MAX_BYTES_PER_TICK = 64;
-  private static final int WINDOWS = 50;
+  private static final int WINDOWS = 130;
   private static final double WINDOW_SECONDS = 0.1;
 
   @ParameterizedTest
@@ -31,13 +30,9 @@ class AllocationScenarioTest {
     var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     try (Stepper stepper = Stepper.of(game)) {
       for (int i = 0; i < PLAYERS; i++) {
-        ClientConfig config =
-            ClientConfig.of("bot" + i)
-                .withServer("localhost", stepper.tcpPort(), stepper.udpPort());
-        config = i % 10 == 0 ? config : config.with(ClientConfig.PREDICTION, PredictionMode.NONE);
-        stepper.add(config, Impairment.NONE.withLatency(20, 0), new Bot(i));
+        Crowd.add(stepper, Impairment.NONE.withLatency(20, 0), new Bot(i));
       }
-      stepper.run(12);
+      stepper.run(4);
       double least = Double.MAX_VALUE;
       for (int window = 0; window < WINDOWS && least > MAX_BYTES_PER_TICK; window++) {
         long bytes = 0;

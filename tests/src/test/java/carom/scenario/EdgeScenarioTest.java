@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
+import carom.fixtures.Crowd;
 import carom.fixtures.Levels;
 import carom.game.Games;
 import carom.net.transport.Impairment;
@@ -186,7 +187,7 @@ class EdgeScenarioTest {
     // same slice, play a second, leave in the same slice; then one more finds a quiet server.
     try (Stepper stepper = Stepper.of("platformer")) {
       for (int i = 0; i < 64; i++) {
-        stepper.add("p" + i, Impairment.NONE.withLatency(20, 0), Scripts.wander(i));
+        Crowd.add(stepper, Impairment.NONE.withLatency(20, 0), Scripts.wander(i));
       }
       stepper.run(2);
       requirePlaying(stepper);

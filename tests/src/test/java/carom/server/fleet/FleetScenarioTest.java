@@ -31,6 +31,9 @@ import org.junit.jupiter.api.io.TempDir;
  * be cut off, servers that die and freeze, and real clients that all join at one server.
  */
 class FleetScenarioTest {
+  /** Players of three servers with two rooms for two each: one room stays empty. */
+  private static final int PLAYERS = 9;
+
   @TempDir private Path folder;
 
   private static void requireAllPlay(FleetRig rig) {
@@ -54,14 +57,14 @@ class FleetScenarioTest {
   }
 
   private FleetRig threeServers(Durability durability, long lagNs) throws Exception {
-    FleetRig rig = new FleetRig(folder.resolve(durability.name()), 4);
+    FleetRig rig = new FleetRig(folder.resolve(durability.name()), 2);
     rig.durability = durability;
     rig.lagNs = lagNs;
     for (String name : List.of("a", "b", "c")) {
       rig.node(name, 2);
     }
     rig.run(1);
-    for (int i = 0; i < 18; i++) {
+    for (int i = 0; i < PLAYERS; i++) {
       rig.client("bot" + i, "a");
       rig.run(0.1);
     }
@@ -75,8 +78,8 @@ class FleetScenarioTest {
       requireAllPlay(rig);
       Set<String> rooms = new HashSet<>();
       rig.clients.forEach(client -> rooms.add(client.view().room()));
-      assertEquals(5, rooms.size(), () -> "18 players in rooms of 4 are in " + rooms);
-      assertEquals(18, Set.copyOf(seats(rig).values()).size(), "nobody shares a seat");
+      assertEquals(5, rooms.size(), () -> PLAYERS + " players in rooms of 2 are in " + rooms);
+      assertEquals(PLAYERS, Set.copyOf(seats(rig).values()).size(), "nobody shares a seat");
       for (String room : List.of("1", "2", "3", "4", "5", "6")) {
         assertEquals(1, rig.owners(room).size(), "room " + room);
       }
