@@ -43,10 +43,20 @@ public final class GameFault {
     StackTraceElement[] stack = failure.getStackTrace();
     for (StackTraceElement frame : stack) {
       if (!isOfLibrary(frame.getClassName())) {
-        return failure + ", at " + place(frame);
+        return failure + ", at " + place(frame) + otherBuild(failure);
       }
     }
-    return failure + (stack.length == 0 ? "" : ", at " + place(stack[0]));
+    return failure + (stack.length == 0 ? "" : ", at " + place(stack[0])) + otherBuild(failure);
+  }
+
+  /**
+   * Returns what to do about code that was compiled against another Carom, whose classes or methods
+   * this one lacks; empty for any other failure.
+   */
+  public static String otherBuild(Throwable failure) {
+    String missing = failure instanceof LinkageError ? failure.getMessage() : null;
+    boolean isOurs = missing != null && (missing.contains("carom.") || missing.contains("carom/"));
+    return isOurs ? "; it was compiled against another Carom: compile it against this one" : "";
   }
 
   /**

@@ -140,6 +140,8 @@ public final class Games {
    */
   private static String reason(Error e) {
     Throwable cause = e.getCause();
-    return cause == null ? e.toString() : e.getMessage() + ": " + cause;
+    return cause == null
+        ? e + GameFault.otherBuild(e)
+        : e.getMessage() + ": " + cause + GameFault.otherBuild(cause);
   }
 }

@@ -18,6 +18,8 @@ import carom.sim.pool.Pool;
 import carom.sim.pool.PoolDef;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 
 /**
@@ -26,6 +28,9 @@ import java.util.function.Supplier;
  */
 public final class SetUp {
   private final SimParts parts;
+
+  /** Sorts of things with the names by which views, levels and logs know them. */
+  private final Set<String> named = new TreeSet<>();
 
   SetUp(SimParts parts) {
     this.parts = parts;
@@ -50,9 +55,19 @@ public final class SetUp {
    * Registers an archetype: a kind of entity, with its shapes, materials and look.
    *
    * @throws IllegalStateException beyond {@value carom.sim.level.Archetypes#MAX}
+   * @throws IllegalArgumentException when the game has registered one of this name
    */
   public Archetype archetype(ArchetypeDef def) {
-    return parts.archetypes.add(def);
+    Archetype archetype = parts.archetypes.add(def);
+    requireNew("archetype", def.name());
+    return archetype;
+  }
+
+  private void requireNew(String what, String name) {
+    if (!named.add(what + "=" + name)) {
+      throw new IllegalArgumentException(
+          what + "=" + name + " is registered twice; give each a name of its own");
+    }
   }
 
   /**
@@ -64,16 +79,22 @@ public final class SetUp {
     return parts.archetype(name);
   }
 
-  /** Registers an assembly: bodies and joints that belong together, such as a car. */
+  /**
+   * Registers an assembly: bodies and joints that belong together, such as a car.
+   *
+   * @throws IllegalArgumentException when the game has registered one of this name
+   */
   public Assembly assembly(AssemblyDef def) {
-    return parts.assemblies.add(def);
+    Assembly assembly = parts.assemblies.add(def);
+    requireNew("assembly", assembly.name());
+    return assembly;
   }
 
   /**
    * Registers a silent kind of event, see {@link #event(String, int, float, String, Sound, float)}.
    */
   public EventKind event(String name, int rgb, float radius, String label) {
-    return parts.eventKinds.add(name, rgb, radius, label);
+    return event(name, rgb, radius, label, Sound.NONE, 0);
   }
 
   /**
@@ -86,11 +107,14 @@ public final class SetUp {
    * @param sound its sound
    * @param fullStrength {@link Event#strength} from which on the sound is loudest, finite, 0 and
    *     above; 0 if it always is
-   * @throws IllegalArgumentException when radius or fullStrength is outside its range
+   * @throws IllegalArgumentException when radius or fullStrength is outside its range, or the game
+   *     has registered a kind of this name
    */
   public EventKind event(
       String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
-    return parts.eventKinds.add(name, rgb, radius, label, sound, fullStrength);
+    EventKind kind = parts.eventKinds.add(name, rgb, radius, label, sound, fullStrength);
+    requireNew("event", name);
+    return kind;
   }
 
   /** Registers a kind of message, and returns it. */

@@ -1,5 +1,6 @@
 package carom.testkit;
 
+import carom.game.GameFault;
 import carom.sim.Game;
 import carom.sim.Rules;
 import java.lang.reflect.InvocationHandler;
@@ -79,6 +80,6 @@ final class GameWatch implements InvocationHandler {
         break;
       }
     }
-    return callback + " throws " + failure + where;
+    return callback + " throws " + failure + where + GameFault.otherBuild(failure);
   }
 }

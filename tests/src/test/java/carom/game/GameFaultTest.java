@@ -1,6 +1,7 @@
 package carom.game;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -41,6 +42,29 @@ class GameFaultTest {
     var refused = new IllegalArgumentException("the level needs a zone named \"ring\"");
     assertEquals(refused.getMessage(), GameFault.refusal(GameFaultTest.class, refused));
     assertEquals(refused.getMessage(), GameFault.refusal(Sound.class, refused), "not of the game");
+  }
+
+  /** As a game of an older Carom throws them, and what other mistakes look like. */
+  @Test
+  void codeOfAnotherCaromIsToldSo() {
+    String advice = "compile it against this one";
+    List<Throwable> old =
+        List.of(
+            new NoSuchMethodError("'void carom.sim.Match.shout(java.lang.String)'"),
+            new NoClassDefFoundError("carom/sim/Shout"),
+            new AbstractMethodError("no implementation of carom.sim.Game.shout"));
+    for (Throwable failure : old) {
+      String words = GameFault.describe(failure);
+      assertTrue(words.contains(HERE) && words.endsWith(advice), words);
+    }
+    List<Throwable> others =
+        List.of(
+            new NoClassDefFoundError("org/json/JSONObject"),
+            new ExceptionInInitializerError(),
+            new IllegalStateException("carom.sim.Match"));
+    for (Throwable failure : others) {
+      assertFalse(GameFault.describe(failure).contains(advice), failure::toString);
+    }
   }
 
   @Test

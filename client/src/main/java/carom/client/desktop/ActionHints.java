@@ -104,7 +104,7 @@ final class ActionHints {
     }
     for (String button : action.mouse()) {
       names.append(names.length() == 0 ? "" : ", ");
-      names.append(action.kind() == Action.Kind.AIM ? "mouse" : button + " click");
+      names.append(button.equals("pointer") ? "mouse" : button + " click");
     }
     return names.toString();
   }

@@ -78,6 +78,13 @@ final class Controls {
     float moveY = moveY(pad);
     moveX = moveX == 0 ? notedX : moveX;
     moveY = moveY == 0 ? notedY : moveY;
+    watchMouse(moveX, moveY);
+    Action place = place();
+    if (place != null && mouseAims && !place.mouse().isEmpty()) {
+      Vector3 at = camera.toWorld(lastMouseX, lastMouseY);
+      moveX = (at.x - x) / place.range();
+      moveY = (at.y - y) / place.range();
+    }
     float length = (float) Math.sqrt(moveX * moveX + moveY * moveY);
     if (length > 1) {
       moveX /= length;
@@ -102,11 +109,13 @@ final class Controls {
   }
 
   private float moveX(Controller pad) {
-    return has(Action.Kind.MOVE_X) ? move(Action.Kind.MOVE_X, pad) : usualX(pad);
+    boolean own = has(Action.Kind.MOVE_X) || place() != null;
+    return own ? move(Action.Kind.MOVE_X, pad) : usualX(pad);
   }
 
   private float moveY(Controller pad) {
-    return has(Action.Kind.MOVE_Y) ? move(Action.Kind.MOVE_Y, pad) : usualY(pad);
+    boolean own = has(Action.Kind.MOVE_Y) || place() != null;
+    return own ? move(Action.Kind.MOVE_Y, pad) : usualY(pad);
   }
 
   private boolean isDown(KeyAction action) {
@@ -123,12 +132,21 @@ final class Controls {
   }
 
   private boolean has(Action.Kind kind) {
+    return first(kind) != null;
+  }
+
+  /** Returns the game's action that points at a place, or null. */
+  private Action place() {
+    return first(Action.Kind.POINT);
+  }
+
+  private Action first(Action.Kind kind) {
     for (int i = 0; i < keys.actions().size(); i++) {
       if (keys.actions().get(i).kind() == kind) {
-        return true;
+        return keys.actions().get(i);
       }
     }
-    return false;
+    return null;
   }
 
   // ---- the usual keys
@@ -170,6 +188,8 @@ final class Controls {
       if (action.kind() == kind) {
         sum += isDown(action.bindings().get(1)) ? 1 : 0;
         sum -= isDown(action.bindings().get(0)) ? 1 : 0;
+      }
+      if (action.kind() == kind || action.kind() == Action.Kind.POINT) {
         for (int k = 0; pad != null && k < action.sticks().size(); k++) {
           String stick = action.sticks().get(k);
           sum += kind == Action.Kind.MOVE_X ? stickX(pad, stick) : stickY(pad, stick);
@@ -255,6 +275,19 @@ final class Controls {
     return value;
   }
 
+  /** Notes where the mouse is. It points from its next move or click on, until a stick does. */
+  private void watchMouse(float moveX, float moveY) {
+    int mouseX = Gdx.input.getX();
+    int mouseY = Gdx.input.getY();
+    if (mouseX != lastMouseX || mouseY != lastMouseY || Gdx.input.isButtonPressed(Buttons.LEFT)) {
+      mouseAims = true;
+      lastMouseX = mouseX;
+      lastMouseY = mouseY;
+    } else if (place() != null && (moveX != 0 || moveY != 0)) {
+      mouseAims = false;
+    }
+  }
+
   private void aim(ViewCamera camera, float x, float y, float moveX, float moveY, Controller pad) {
     boolean usual = !has(Action.Kind.AIM);
     boolean pointer = usual;
@@ -270,18 +303,11 @@ final class Controls {
         }
       }
     }
-    int mouseX = Gdx.input.getX();
-    int mouseY = Gdx.input.getY();
-    if (mouseX != lastMouseX || mouseY != lastMouseY || Gdx.input.isButtonPressed(Buttons.LEFT)) {
-      mouseAims = true;
-      lastMouseX = mouseX;
-      lastMouseY = mouseY;
-    }
     if (stickX != 0 || stickY != 0) {
       aimRad = MathUtils.atan2(stickY, stickX);
       mouseAims = false;
     } else if (mouseAims && pointer) {
-      Vector3 at = camera.toWorld(mouseX, mouseY);
+      Vector3 at = camera.toWorld(lastMouseX, lastMouseY);
       aimRad = MathUtils.atan2(at.y - y, at.x - x);
     } else if (moveX != 0 || moveY != 0) {
       aimRad = MathUtils.atan2(moveY, moveX);

@@ -8,9 +8,9 @@ import java.util.List;
 
 /**
  * Something that a player does in a game, with a name for people and the keys that do it unless the
- * player chooses others. It sets a part of {@link Input}: a button, the movement along an axis, or
- * the aim. So nothing else is sent for it, and the game reads it as {@code in.pressed(JUMP)} or
- * {@code in.moveX()}.
+ * player chooses others. It sets a part of {@link Input}: a button, the movement along an axis,
+ * both by a place that is pointed at, or the aim. So nothing else is sent for it, and the game
+ * reads it as {@code in.pressed(JUMP)} or {@code in.moveX()}.
  *
  * <pre>{@code
  * Action.button("jump", Input.JUMP).key("W", "Space").pad("A")
@@ -43,6 +43,8 @@ public final class Action {
     MOVE_X,
     /** The movement upwards, {@link Input#moveY()}. */
     MOVE_Y,
+    /** A place, by both movements: the way from the body to where the player points. */
+    POINT,
     /** The direction of {@link Input#aim()}. */
     AIM
   }
@@ -64,6 +66,7 @@ public final class Action {
 
   private final Kind kind;
   private final int button;
+  private final float range;
   private final List<Binding> bindings;
   private final List<String> mouse;
   private final List<String> pad;
@@ -72,24 +75,26 @@ public final class Action {
   private Action(
       Kind kind,
       int button,
+      float range,
       List<Binding> bindings,
       List<String> mouse,
       List<String> pad,
       List<String> sticks) {
     this.kind = kind;
     this.button = button;
+    this.range = range;
     this.bindings = bindings;
     this.mouse = mouse;
     this.pad = pad;
     this.sticks = sticks;
   }
 
-  private static Action of(Kind kind, int button, String... names) {
+  private static Action of(Kind kind, int button, float range, String... names) {
     List<Binding> bindings = new ArrayList<>();
     for (String name : names) {
       bindings.add(new Binding(checked(name), List.of()));
     }
-    return new Action(kind, button, List.copyOf(bindings), List.of(), List.of(), List.of());
+    return new Action(kind, button, range, List.copyOf(bindings), List.of(), List.of(), List.of());
   }
 
   private static String checked(String name) {
@@ -114,22 +119,34 @@ public final class Action {
       throw new IllegalArgumentException(
           "action=\"" + name + "\": button=" + button + " is not one of the bits 1 << 0..15");
     }
-    return of(Kind.BUTTON, button, name);
+    return of(Kind.BUTTON, button, 0, name);
   }
 
   /** Returns the movement to the left and to the right. */
   public static Action moveX(String left, String right) {
-    return of(Kind.MOVE_X, 0, left, right);
+    return of(Kind.MOVE_X, 0, 0, left, right);
   }
 
   /** Returns the movement down and up. */
   public static Action moveY(String down, String up) {
-    return of(Kind.MOVE_Y, 0, down, up);
+    return of(Kind.MOVE_Y, 0, 0, down, up);
+  }
+
+  /**
+   * Returns a place that the player points at, as the movement: {@link Input#moveX()} and {@link
+   * Input#moveY()} are the way from the body to it, as shares of the range. What is further away
+   * lies at the range. A stick gives the way as a movement does.
+   *
+   * @param name what it does, in a word or two
+   * @param range metres that are 1, from 0.5 to 1,000; a step of the movement is a 127th of it
+   */
+  public static Action point(String name, float range) {
+    return of(Kind.POINT, 0, Range.check("range", range, 0.5f, 1_000), name);
   }
 
   /** Returns the aim. It follows the movement as long as neither mouse nor stick aims. */
   public static Action aim(String name) {
-    return of(Kind.AIM, 0, name);
+    return of(Kind.AIM, 0, 0, name);
   }
 
   /** Adds keys to a button, by their names in the player's settings. */
@@ -152,13 +169,15 @@ public final class Action {
   }
 
   /**
-   * Adds a button of the mouse, {@code left}, {@code right} or {@code middle}; for the aim {@code
-   * pointer}.
+   * Adds a button of the mouse, {@code left}, {@code right} or {@code middle}; for the aim and for
+   * a place {@code pointer}.
    */
   public Action mouse(String name) {
-    require(kind == Kind.BUTTON || kind == Kind.AIM, "the mouse doesn't move a player");
-    known(name, kind == Kind.AIM ? List.of(POINTER) : MOUSE);
-    return new Action(kind, button, bindings, and(mouse, name), pad, sticks);
+    require(
+        kind != Kind.MOVE_X && kind != Kind.MOVE_Y,
+        "the mouse doesn't move along an axis; point() takes its place as the movement");
+    known(name, kind == Kind.BUTTON ? MOUSE : List.of(POINTER));
+    return new Action(kind, button, range, bindings, and(mouse, name), pad, sticks);
   }
 
   /**
@@ -168,7 +187,7 @@ public final class Action {
   public Action pad(String name) {
     require(kind == Kind.BUTTON, "pad() is for buttons; others have stick()");
     known(name, PAD);
-    return new Action(kind, button, bindings, mouse, and(pad, name), sticks);
+    return new Action(kind, button, range, bindings, mouse, and(pad, name), sticks);
   }
 
   /**
@@ -178,7 +197,7 @@ public final class Action {
   public Action stick(String name) {
     require(kind != Kind.BUTTON, "stick() is for movements and the aim");
     known(name, STICKS);
-    return new Action(kind, button, bindings, mouse, pad, and(sticks, name));
+    return new Action(kind, button, range, bindings, mouse, pad, and(sticks, name));
   }
 
   private void require(boolean so, String problem) {
@@ -200,7 +219,7 @@ public final class Action {
   }
 
   private Action with(List<Binding> changed) {
-    return new Action(kind, button, changed, mouse, pad, sticks);
+    return new Action(kind, button, range, changed, mouse, pad, sticks);
   }
 
   /** Returns the part of the input that it sets. */
@@ -213,17 +232,29 @@ public final class Action {
     return button;
   }
 
+  /** Returns the metres that are a whole movement, of a place; 0 for what is none. */
+  public float range() {
+    return range;
+  }
+
+  /** Returns whether keys do it: a button or a movement, which players may give other keys. */
+  public boolean hasKeys() {
+    return kind != Kind.POINT && kind != Kind.AIM;
+  }
+
   /** Returns what it does, for people: the first name of a movement. */
   public String name() {
     return bindings.get(0).name();
   }
 
-  /** Returns its keys: one binding of a button, two of a movement, and the aim's has no keys. */
+  /**
+   * Returns its keys: one binding of a button, two of a movement; that of aim or place has no keys.
+   */
   public List<Binding> bindings() {
     return bindings;
   }
 
-  /** Returns the buttons of the mouse that do it; {@code pointer} for an aim that follows it. */
+  /** Returns the buttons of the mouse that do it; {@code pointer} if it follows that. */
   public List<String> mouse() {
     return mouse;
   }

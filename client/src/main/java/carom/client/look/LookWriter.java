@@ -129,6 +129,7 @@ final class LookWriter {
     json.writeStartObject();
     json.writeStringField("kind", a.kind().name());
     json.writeNumberField("button", a.button());
+    json.writeNumberField("range", a.range());
     list(
         "bindings",
         a.bindings(),

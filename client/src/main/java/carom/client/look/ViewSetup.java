@@ -49,8 +49,20 @@ public final class ViewSetup {
         }
       }
     }
+    requireOneMovement(all);
     actions.clear();
     actions.addAll(all);
+  }
+
+  private static void requireOneMovement(List<Action> all) {
+    List<Action> moving = new ArrayList<>(all);
+    moving.removeIf(a -> a.kind() == Action.Kind.BUTTON || a.kind() == Action.Kind.AIM);
+    for (Action action : moving) {
+      if (action.kind() == Action.Kind.POINT && moving.size() > 1) {
+        throw new IllegalArgumentException(
+            "action=\"" + action.name() + "\": a place is the whole movement; declare no other");
+      }
+    }
   }
 
   /** Returns the actions in the order in which they were declared. Do not change the list. */

@@ -18,11 +18,6 @@ public final class EventKinds {
   /** Creates an empty list. */
   public EventKinds() {}
 
-  /** Registers a silent kind, see {@link #add(String, int, float, String, Sound, float)}. */
-  public EventKind add(String name, int rgb, float radius, String label) {
-    return add(name, rgb, radius, label, Sound.NONE, 0);
-  }
-
   /**
    * Registers a kind. Call it in {@code Game.setUp} only.
    *

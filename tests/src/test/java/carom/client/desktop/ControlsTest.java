@@ -7,11 +7,15 @@ import carom.client.desktop.paint.ViewCamera;
 import carom.client.look.Action;
 import carom.client.settings.PlayerSettings;
 import carom.sim.entity.Input;
+import carom.sim.level.Level;
 import com.badlogic.gdx.Application;
 import com.badlogic.gdx.Application.ApplicationType;
 import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Graphics;
 import com.badlogic.gdx.Input.Buttons;
 import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.math.Vector3;
+import com.badlogic.gdx.utils.GdxNativesLoader;
 import java.lang.reflect.Proxy;
 import java.util.HashSet;
 import java.util.List;
@@ -31,13 +35,18 @@ class ControlsTest {
   private final KeyMap keys = new KeyMap(PlayerSettings.defaults());
   private final Controls controls = new Controls(keys);
   private final Input input = new Input();
+  private int mouseX;
   private Application app;
   private com.badlogic.gdx.Input devices;
+  private Graphics graphics;
 
   @BeforeEach
   void open() {
+    GdxNativesLoader.load(); // the camera's mathematics
     app = Gdx.app;
     devices = Gdx.input;
+    graphics = Gdx.graphics;
+    Gdx.graphics = proxy(Graphics.class, (name, code) -> name.equals("getWidth") ? 800 : 400);
     Gdx.app =
         proxy(
             Application.class,
@@ -49,6 +58,7 @@ class ControlsTest {
                 switch (name) {
                   case "isKeyPressed" -> down.contains(code);
                   case "isKeyJustPressed" -> tapped.contains(code);
+                  case "getX" -> mouseX;
                   case "isButtonPressed" -> false;
                   case "isButtonJustPressed" -> buttons.contains(code);
                   default -> 0;
@@ -59,6 +69,7 @@ class ControlsTest {
   void close() {
     Gdx.app = app;
     Gdx.input = devices;
+    Gdx.graphics = graphics;
   }
 
   private interface Answer {
@@ -127,5 +138,22 @@ class ControlsTest {
     controls.note();
     controls.forget();
     assertEquals(0, tick());
+  }
+
+  @Test
+  void aPlaceIsTheWayToThePointerInSharesOfItsRange() {
+    ViewCamera camera = new ViewCamera();
+    camera.update(new Level.Bounds(-20, -10, 20, 10), null, 0, 800, 400, 0);
+    keys.game("yard", List.of(Action.point("build at", 20).mouse("pointer").stick("left")));
+    down.add(Keys.D); // moves nobody now
+    controls.sample(input, camera, 0, 0);
+    assertEquals(0, input.moveX(), "the mouse hasn't moved");
+    mouseX = 3;
+    Vector3 at = camera.toWorld(mouseX, 0).cpy();
+    controls.sample(input, camera, at.x - 5, at.y + 10);
+    assertEquals(0.25f, input.moveX(), 1 / 127f);
+    assertEquals(-0.5f, input.moveY(), 1 / 127f);
+    controls.sample(input, camera, at.x + 30, at.y);
+    assertEquals(-1, input.moveX(), "beyond the range it lies at the range");
   }
 }

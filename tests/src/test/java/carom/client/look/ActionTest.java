@@ -54,5 +54,14 @@ final class ActionTest {
     ViewSetup v = new ViewSetup();
     v.actions(Action.button("jump", Input.JUMP));
     refuses("is there already", () -> v.actions(Action.moveX("duck", "jump")));
+    refuses("range=0.0", () -> Action.point("at", 0));
+    refuses("others have stick", () -> Action.point("at", 9).pad("A"));
+    refuses("point() takes its place", () -> Action.moveX("l", "r").mouse("pointer"));
+    Action place = Action.point("at", 9).mouse("pointer");
+    Action other = Action.moveY("down", "up");
+    refuses("declare no other", () -> v.actions(place, other));
+    refuses("declare no other", () -> v.actions(place, Action.point("there", 9)));
+    v.actions(other);
+    refuses("declare no other", () -> v.actions(place));
   }
 }

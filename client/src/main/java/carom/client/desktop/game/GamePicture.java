@@ -221,6 +221,7 @@ public final class GamePicture implements Disposable {
       slow.begin();
     }
     if (look.show(view.game())) {
+      parts.renew();
       lookPainter.renew();
       camera.zooms(look.setup().camera().isZooming());
       parts.run("the look's sounds", () -> sounds.look(look));

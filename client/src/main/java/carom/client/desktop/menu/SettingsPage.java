@@ -107,7 +107,7 @@ final class SettingsPage implements Page {
     }
     for (Action action : keys.actions()) {
       for (Action.Binding binding : action.bindings()) {
-        if (action.kind() != Action.Kind.AIM) {
+        if (action.hasKeys()) {
           key(into, binding, binding.name(), keys.names(binding), n -> keys.withKeys(binding, n));
         }
       }

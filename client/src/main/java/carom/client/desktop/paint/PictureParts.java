@@ -9,8 +9,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Runs the parts of a picture: layers, effects, panels. A part that throws is left out from then
- * on, until the next level; the log has its name, once, and the rest of the picture goes on. Render
- * thread only.
+ * on, until the next level or look, and the rest of the picture goes on. Log and player are told
+ * once of each failure, and anew of another one of the same part. Render thread only.
  */
 public final class PictureParts {
   private static final Logger LOG = LoggerFactory.getLogger(PictureParts.class);
@@ -31,7 +31,7 @@ public final class PictureParts {
     this.player = player;
   }
 
-  /** Tries all parts again, because another level is shown. */
+  /** Tries all parts again, because another level is shown, or by another look. */
   public void renew() {
     broken.clear();
   }
@@ -55,9 +55,9 @@ public final class PictureParts {
     } catch (RuntimeException | Error e) { // also an error: what the part had allocated is free now
       broken.add(name);
       repair.run();
-      if (told.add(name)) {
-        LOG.error(
-            "the picture's part \"{}\" failed and is left out: {}", name, GameFault.describe(e), e);
+      String reason = GameFault.describe(e);
+      if (told.add(name + reason)) {
+        LOG.error("the picture's part \"{}\" failed and is left out: {}", name, reason, e);
         player.accept("A part of the picture failed and is left out: " + name);
       }
     }

@@ -96,6 +96,15 @@ final class PlayPageTest {
     assertEquals("40 29 0", browser.evaluate(String.format(Locale.ROOT, follow, 29, 1)));
   }
 
+  /** Goal: the way to the pointer is the movement of a look that points at a place. */
+  private static void pointsAtAPlace(Chromium browser) throws Exception {
+    String pointed =
+        "(c => { c.use([{kind: 'POINT', range: 20, bindings: [{name: 'at', keys: []}], mouse:"
+            + " ['pointer'], pad: [], sticks: ['left']}]); c.mouse.aims = true; return c.read(() =>"
+            + " [7, -5], [2, 5]).slice(1, 3).join(' '); })(caromPlay.controls)";
+    assertEquals("0.25 -0.5", browser.evaluate(pointed));
+  }
+
   @Test
   void everyGameIsPlayedByALink() throws Exception {
     PlayPort port =
@@ -150,6 +159,7 @@ final class PlayPageTest {
       browser.await(
           "caromPlay.link.isOpen() && caromPlay.link.socket !== before && caromPlay.link.seen >="
               + " 0");
+      pointsAtAPlace(browser);
       browser.press("Escape", ESCAPE);
       browser.await("!document.getElementById('menu').hidden");
       browser.click("document.getElementById('leave')");

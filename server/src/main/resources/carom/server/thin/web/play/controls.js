@@ -54,14 +54,15 @@ export class Controls {
     addEventListener('pointerup', e => { if (e.pointerType !== 'touch') this.letGo(this.mouse.down, MOUSE[e.button]); });
   }
 
-  /** Takes the actions of a game's look in place of the usual ones: its buttons, its movements and its aim, each if it has any. */
+  /** Takes the actions of a game's look in place of the usual ones: its buttons, its movements or place, and its aim, each if it has any. */
   use(actions) {
     const of = (...kinds) => actions.filter(a => kinds.includes(a.kind));
     this.buttons = of('BUTTON').map(a => ({...a, name: a.bindings[0].name, codes: a.bindings[0].keys.map(codeOf)}));
     this.moves = of('MOVE_X', 'MOVE_Y').map(a => ({...a, less: a.bindings[0].keys.map(codeOf), more: a.bindings[1].keys.map(codeOf)}));
+    this.place = of('POINT')[0];
     this.aiming = of('AIM')[0];
     this.keys = new Set([...this.buttons.flatMap(b => b.codes), ...this.moves.flatMap(m => [...m.less, ...m.more])]);
-    if (!this.moves.length) Object.keys(MOVES).forEach(code => this.keys.add(code));
+    if (!this.moves.length && !this.place) Object.keys(MOVES).forEach(code => this.keys.add(code));
     if (!this.buttons.length) Object.keys(BUTTONS).forEach(code => this.keys.add(code));
     this.release();
     const shown = this.buttons.length ? this.buttons.map(b => [b.name, b.button]) : GLASS;
@@ -144,14 +145,17 @@ export class Controls {
     const pad = [...navigator.getGamepads?.() ?? []].find(p => p?.connected && p.mapping === 'standard');
     const axis = i => Math.abs(pad?.axes[i] ?? 0) < DEAD ? 0 : pad.axes[i], padButton = i => pad?.buttons[i]?.pressed ? 1 : 0;
     const sticks = {left: [axis(0), -axis(1)], right: [axis(2), -axis(3)], 'd-pad': [padButton(15) - padButton(14), padButton(12) - padButton(13)]};
-    let [x, y] = this.moves.length ? this.ownMoves(sticks) : this.usualMoves(sticks);
+    let [x, y] = this.moves.length || this.place ? this.ownMoves(sticks) : this.usualMoves(sticks);
+    if (this.place && (x || y)) this.mouse.aims = false;
+    const pointed = this.mouse.aims && own ? toWorld(this.mouse.x, this.mouse.y) : null;
+    if (pointed && this.place?.mouse.length) [x, y] = [0, 1].map(i => (pointed[i] - own[i]) / this.place.range);
     const length = Math.max(1, Math.hypot(x, y));
     x /= length;
     y /= length;
     let [aimX, aimY] = [this.right.x, this.right.y];
     for (const name of this.aiming ? this.aiming.sticks : ['right']) { aimX += sticks[name][0]; aimY += sticks[name][1]; }
     if (aimX || aimY) { this.aim = Math.atan2(aimY, aimX); this.mouse.aims = false; }
-    else if (this.mouse.aims && own && (!this.aiming || this.aiming.mouse.length)) { const at = toWorld(this.mouse.x, this.mouse.y); this.aim = Math.atan2(at[1] - own[1], at[0] - own[0]); }
+    else if (pointed && (!this.aiming || this.aiming.mouse.length)) this.aim = Math.atan2(pointed[1] - own[1], pointed[0] - own[0]);
     else if (x || y) this.aim = Math.atan2(y, x);
     const buttons = this.buttons.length ? this.ownButtons(padButton) : this.usualButtons(padButton, y);
     for (const [set, what] of this.taps) set.delete(what);
@@ -168,13 +172,16 @@ export class Controls {
     return [is('right') - is('left') + this.left.x + left[0] + cross[0], is('up') - is('down') + this.left.y + left[1] + cross[1]];
   }
 
-  /** Returns the movements of the look's actions; on glass, each has its way of the left stick. */
+  /** Returns the movements of the look's actions, or the way to its place; on glass, each has its way of the left stick. */
   ownMoves(sticks) {
     const way = [0, 0];
     for (const m of this.moves) {
       const at = m.kind === 'MOVE_X' ? 0 : 1;
       way[at] += this.any(m.more) - this.any(m.less) + (at ? this.left.y : this.left.x);
       for (const name of m.sticks) way[at] += sticks[name][at];
+    }
+    if (this.place) {
+      for (const [x, y] of [[this.left.x, this.left.y], ...this.place.sticks.map(name => sticks[name])]) { way[0] += x; way[1] += y; }
     }
     return way;
   }
