@@ -20,12 +20,17 @@ final class KeyWatcher {
   private static final int TOLERANCE = 10;
   private static final int PRESSES = 10;
   private static final int AROUND = 30;
+  private static final int CALM_FPS = 20;
+  private static final Rectangle SCREEN = new Rectangle(0, 0, 1_280, 720);
 
   /** Way of the body's middle in a tenth of a second that counts as none, px. */
   private static final double AT_REST = 0.02;
 
   private final Robot robot;
   private final int rgb;
+
+  /** The middle of the own body when it was looked for last, and its pixels. */
+  private double[] found;
 
   private KeyWatcher(Robot robot, int rgb) {
     this.robot = robot;
@@ -61,22 +66,18 @@ final class KeyWatcher {
 
   private void run() throws InterruptedException {
     robot.mouseMove(640, 60);
-    while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
-      Thread.sleep(20);
-    }
-    Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
-    double[] found = null;
+    CalmWindow.awaitPictures(CALM_FPS);
     while (found == null || found[2] < 200) {
       Thread.sleep(200);
-      found = find(new Rectangle(0, 0, 1_280, 720));
+      found = find(SCREEN);
     }
     robot.keyPress(KeyEvent.VK_F1); // hides the hints, which would go by themselves after 12 s
     robot.delay(100);
     robot.keyRelease(KeyEvent.VK_F1);
     Thread.sleep(6_000); // until clocks have settled
+    Gdx.graphics.setForegroundFPS(60); // as on most screens: a virtual one has no vsync
     for (int i = 0; i < PRESSES; i++) {
       awaitRest();
-      found = find(new Rectangle(0, 0, 1_280, 720));
       Rectangle near =
           new Rectangle((int) found[0] - AROUND, (int) found[1] - AROUND, 2 * AROUND, 2 * AROUND);
       BufferedImage rest = robot.createScreenCapture(near);
@@ -154,13 +155,21 @@ final class KeyWatcher {
   /** Waits until the body stands still for half a second. */
   private void awaitRest() throws InterruptedException {
     int still = 0;
-    double[] last = find(new Rectangle(0, 0, 1_280, 720));
     while (still < 5) {
       Thread.sleep(100);
-      double[] now = find(new Rectangle(0, 0, 1_280, 720));
-      still = Math.hypot(now[0] - last[0], now[1] - last[1]) < AT_REST ? still + 1 : 0;
-      last = now;
+      double[] now = find(around(found));
+      now = now[2] > 0 ? now : find(SCREEN); // it reappeared elsewhere
+      still = Math.hypot(now[0] - found[0], now[1] - found[1]) < AT_REST ? still + 1 : 0;
+      found = now;
     }
+  }
+
+  /** Returns where a body can be that was found a tenth of a second ago. */
+  private static Rectangle around(double[] found) {
+    int reach = 4 * AROUND;
+    int x = (int) found[0] - reach;
+    int y = (int) found[1] - reach;
+    return new Rectangle(x, y, 2 * reach, 2 * reach).intersection(SCREEN);
   }
 
   /** Returns the middle of the pixels of the body's colour, and how many there are. */

@@ -34,7 +34,7 @@ final class SceneWindowTest {
       ProcessBuilder builder =
           new ProcessBuilder(
                   Jvm.command(
-                      ClientMain.class,
+                      CalmWindow.class,
                       "--settings=" + folder.resolve("player.conf"),
                       "--scene=pyramid",
                       "--debug",

@@ -80,10 +80,7 @@ final class ScreenTour {
   private static void guide(Path folder, Path recording) {
     try {
       ScreenTour guided = new ScreenTour(folder, new Robot());
-      while (Gdx.graphics == null || Gdx.graphics.getFrameId() < 3) {
-        Thread.sleep(20);
-      }
-      Gdx.graphics.setForegroundFPS(FPS);
+      CalmWindow.awaitPictures(FPS);
       guided.begin("menus");
       guided.menus();
       guided.begin("ways");

@@ -112,7 +112,7 @@ final class StartFlagsTest {
     Path picture = folder.resolve("window.png");
     Path output = folder.resolve("window.txt");
     String settings = folder.resolve("player.conf").toString();
-    List<String> command = Jvm.command(ClientMain.class, "--settings", settings);
+    List<String> command = Jvm.command(CalmWindow.class, "--settings", settings);
     command.addAll(List.of("--volume", "0", "--seconds", "3", "--screenshot", picture.toString()));
     command.addAll(List.of(flags));
     try (VirtualDisplay display = VirtualDisplay.open()) {

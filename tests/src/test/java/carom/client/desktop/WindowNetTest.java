@@ -9,6 +9,7 @@ import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.BotFarm;
 import carom.fixtures.Jvm;
+import carom.fixtures.Slice;
 import carom.fixtures.VirtualDisplay;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
@@ -54,15 +55,15 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(900)
 final class WindowNetTest {
   /** Whether both networks go to each room, for longer, and all scenes are seen. */
-  private static final boolean ALL = Boolean.getBoolean("carom.all");
+  private static final boolean ALL = Slice.WHOLE;
 
   /** Time in each room, s: a key is held 0.1 s, and there are about 45. */
   private static final double SECONDS = ALL ? 30 : 9;
 
   /** Number of scenes to see. */
-  private static final int SCENES = ALL ? Integer.MAX_VALUE : 20;
+  private static final int SCENES = ALL ? Integer.MAX_VALUE : 8;
 
-  private static final int BOTS = 2;
+  private static final int BOTS = 1;
   private static final long LEVEL_EVERY_MS = 3_500;
 
   /** Most memory that a window may have gained from its first to its last room, MB. */
@@ -273,7 +274,9 @@ final class WindowNetTest {
   }
 
   private ProcessBuilder java(String name, Class<?> program, List<String> args) {
-    List<String> command = Jvm.command(List.of("-Xmx512m"), program, args.toArray(new String[0]));
+    List<String> command =
+        Jvm.command(
+            List.of("-Xmx512m", "-Dcarom.all=" + ALL), program, args.toArray(new String[0]));
     File log = folder.resolve(name + ".txt").toFile();
     return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log);
   }
