@@ -26,6 +26,7 @@ import carom.physics.math.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.Scenes;
+import carom.suite.Optimized;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -37,6 +38,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What should stand stands, what should hold holds; sizes and limits as in the list. */
+@Optimized("computes for long")
 final class StabilityTest {
   private static final Material M = Material.DEFAULT;
 

@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
+import carom.suite.Optimized;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 
 /** The scenes that all engines are measured on have the bodies that their specification says. */
+@Optimized("computes for long")
 final class BenchmarkScenesTest {
   /** Dynamic bodies and joints. */
   private static final Map<String, int[]> SIZES = new TreeMap<>();

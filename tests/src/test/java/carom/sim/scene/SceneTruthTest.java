@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.EventLists;
+import carom.suite.Optimized;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * Scenes show what their descriptions promise. {@code carom.physics.truth} varies the experiments;
  * how far from the origin bodies may be is in its FarMotionTest, as a scene is near it.
  */
+@Optimized("computes for long")
 final class SceneTruthTest {
   private static SceneRun start(String name) {
     return Scenes.get(name).start();

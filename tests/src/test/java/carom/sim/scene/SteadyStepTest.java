@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import carom.fixtures.Allocations;
 import carom.physics.Body;
+import carom.suite.Optimized;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * In the steady state a step of any scene allocates nothing, also with vector kernels once these
  * are compiled. {@link SteadySceneTest} counts each step of the same scenes without them.
  */
+@Optimized("needs compiled vector kernels")
 class SteadyStepTest {
   private static final int WINDOW = 60;
 
