@@ -315,6 +315,11 @@ public final class PredictedSet {
     return hasHiddenCause;
   }
 
+  /** Returns whether a player's input may look at another body, which a field means. */
+  public boolean looksAtOthers(HostPlayer player) {
+    return chooser.means(player);
+  }
+
   /** Returns the number of rows of the update that are still to be sent, lost ones included. */
   public int waitingRows() {
     return update.waitingRows();

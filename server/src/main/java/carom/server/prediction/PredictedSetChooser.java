@@ -191,6 +191,15 @@ final class PredictedSetChooser {
     }
   }
 
+  /** Returns whether a field of a player that all near are told means an entity. */
+  boolean means(HostPlayer p) {
+    boolean means = false;
+    for (int i = 0; i < references.length && !means; i++) {
+      means = meant(p, references[i]) != null;
+    }
+    return means;
+  }
+
   private HostEntity meant(HostPlayer p, int word) {
     Schema schema = simulation.schema();
     EntityRef field = (EntityRef) schema.field(Scope.PLAYER, word);

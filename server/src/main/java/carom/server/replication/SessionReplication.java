@@ -262,9 +262,13 @@ public final class SessionReplication {
     sender.prepare(own, inputsLate);
   }
 
-  /** Finds out whether anything that is not static touched or reached the body in the last step. */
+  /**
+   * Finds out whether anything that is not static touched or reached the body in the last step, or
+   * may have been read by its input.
+   */
   private void lookForTouch() {
-    touched = capture.isInArea(player);
+    touched =
+        capture.isInArea(player) || (predictedSet != null && predictedSet.looksAtOthers(player));
     if (player.entity() != null) {
       player.entity().body().forEachContact(touchVisitor);
     }

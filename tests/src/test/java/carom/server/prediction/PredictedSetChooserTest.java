@@ -1,9 +1,11 @@
 package carom.server.prediction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
+import carom.game.playground.PlaygroundFields;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostPlayer;
@@ -79,5 +81,20 @@ final class PredictedSetChooserTest {
     chooser.choose(player, true, new KeyList(), MOST);
     assertEquals(MOST - 1, chooser.chosen().count());
     assertEquals(MOST - 1 - ROW - 1, chosenAbove(5));
+  }
+
+  /** A client that has the own body alone can't compute an input that looks at another one. */
+  @Test
+  void aPlayerLooksAtWhatItsFieldMeans() throws Exception {
+    SimulationHost s =
+        new SimulationHost(
+            Games.create("playground"), Level.builtIn("harbour"), 1, 60, Role.AUTHORITY);
+    HostPlayer p = s.join("p");
+    PredictedSetChooser looks = new PredictedSetChooser(s, new EntityMarks(), e -> true);
+    assertFalse(looks.means(p));
+    p.set(PlaygroundFields.HELD, s.entity(0));
+    assertTrue(looks.means(p));
+    p.set(PlaygroundFields.HELD, null);
+    assertFalse(looks.means(p));
   }
 }
