@@ -284,6 +284,7 @@ public final class Dynamics {
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
     continuous.run(substeps.solverBodies, dt, events);
+    substeps.payStretch();
     begins(StepStage.EVENTS);
     if (events != null) {
       eventStage.afterSolving();

@@ -165,6 +165,13 @@ final class Substeps {
     phases.run();
   }
 
+  /** Takes what springs have got by bodies that were put back out of the motion of these. */
+  void payStretch() {
+    if (jointSolver.count() > 0 && solverBodies.putBackCount() > 0) {
+      jointSolver.payStretch(solverBodies);
+    }
+  }
+
   /**
    * Ends the phases so far, and remembers velocities: the changes by joints aren't the contacts'.
    */

@@ -158,7 +158,7 @@ public final class ContinuousCollision {
     }
     pairs.refit();
     for (int i = 0; i < fast.count(); i++) {
-      settle(fast.inOrder(i), pairs.moving(), pairs.resting());
+      settle(fast.inOrder(i), pairs.moving(), pairs.resting(), solved);
     }
     if (parts.anySensors()) {
       crossings.find();
@@ -185,7 +185,7 @@ public final class ContinuousCollision {
     }
   }
 
-  private void settle(Flight f, KdTree movingParts, KdTree fixedParts) {
+  private void settle(Flight f, KdTree movingParts, KdTree fixedParts, SolverBodies solved) {
     find(f.body, f.whole, fast.movingTargets() ? movingParts : null, fixedParts);
     if (!search.found() || questions.movedAway()) {
       return;
@@ -213,11 +213,16 @@ public final class ContinuousCollision {
     f.split = split;
     keepEnergy(f.body, (1 - split) * stepS);
     int locks = bodies.linearLocks(f.body);
-    bodies.x[f.body] = (locks & BodyStore.LOCK_X) == 0 ? endPose.x : hitPose.x;
-    bodies.y[f.body] = (locks & BodyStore.LOCK_Y) == 0 ? endPose.y : hitPose.y;
+    endPose.x = (locks & BodyStore.LOCK_X) == 0 ? endPose.x : hitPose.x;
+    endPose.y = (locks & BodyStore.LOCK_Y) == 0 ? endPose.y : hitPose.y;
     float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
-    bodies.cos[f.body] = endPose.cos * inverse;
-    bodies.sin[f.body] = endPose.sin * inverse;
+    endPose.cos *= inverse;
+    endPose.sin *= inverse;
+    solved.putBack(f.body, bodies, endPose);
+    bodies.x[f.body] = endPose.x;
+    bodies.y[f.body] = endPose.y;
+    bodies.cos[f.body] = endPose.cos;
+    bodies.sin[f.body] = endPose.sin;
     if (fast.movingTargets()) {
       strayed(f);
     }

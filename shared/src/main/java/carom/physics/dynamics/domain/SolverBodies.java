@@ -6,6 +6,7 @@ import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.store.ParallelFor;
 import carom.physics.math.Limits;
+import carom.physics.math.Transform;
 import carom.physics.settings.Settings;
 import java.util.Arrays;
 
@@ -50,6 +51,11 @@ public final class SolverBodies {
 
   /** Most distance of a body in a substep, m: a net under overflow, far above any sane speed. */
   private static final float MAX_TRANSLATION = 1e6f;
+
+  /** Bodies that were put back since the step began. */
+  private int[] putBack = new int[0];
+
+  private int putBackCount;
 
   /** Most turn of a body in a substep, rad; the series for the rotation is good up to here. */
   public static final float MAX_ROTATION = 2;
@@ -182,6 +188,7 @@ public final class SolverBodies {
 
   /** Begins a step, and finds its domains. {@code ContactBlocks.build} comes next. */
   public void begin(BodyStore b, Settings s, float substep, ContactTable contacts) {
+    putBackCount = 0;
     bodies = b;
     settings = s;
     h = substep;
@@ -473,6 +480,38 @@ public final class SolverBodies {
         s[at + SIN] = newSin * inverse;
       }
     }
+  }
+
+  /** Returns how many bodies were put back since the step began. */
+  public int putBackCount() {
+    return putBackCount;
+  }
+
+  /** Returns a body that was put back. */
+  public int putBack(int i) {
+    return putBack[i];
+  }
+
+  /**
+   * Notes that a body whose pose was written back is put elsewhere.
+   *
+   * @param b has its pose as it was written
+   * @param pose where its centre goes
+   */
+  public void putBack(int body, BodyStore b, Transform pose) {
+    if (putBack.length == putBackCount) {
+      putBack = Arrays.copyOf(putBack, 2 * putBackCount + 8);
+    }
+    putBack[putBackCount++] = body;
+    int at = slots.slotOf[body] * STRIDE;
+    float c = pose.cos * b.cos[body] + pose.sin * b.sin[body];
+    float n = pose.sin * b.cos[body] - pose.cos * b.sin[body];
+    float cos = state[at + COS];
+    float sin = state[at + SIN];
+    state[at + DX] += pose.x - b.x[body];
+    state[at + DY] += pose.y - b.y[body];
+    state[at + COS] = c * cos - n * sin;
+    state[at + SIN] = n * cos + c * sin;
   }
 
   /**

@@ -188,8 +188,19 @@ final class JointGroups {
 
   private boolean anyTroubled;
 
-  /** Per group: energy that what touches it may give it, J; infinite for any. */
-  private double[] given = new double[0];
+  /** Islands of what touches. They are found when a group has too much. */
+  private final TouchIslands islands = new TouchIslands();
+
+  private boolean areIslandsKnown;
+
+  // Sums over bodies for a step: energy before and now, with the half substep by which velocities
+  // are ahead of places; work of gravity and forces; mass and weight.
+
+  private double begun;
+  private double work;
+  private double now;
+  private double sumOfMass;
+  private double heavy;
 
   /** Per group: whether it touches what can't be moved. */
   private boolean[] isPropped = new boolean[0];
@@ -359,7 +370,6 @@ final class JointGroups {
     springsBefore = new double[capacity];
     springsNow = new double[capacity];
     isTroubled = new boolean[capacity];
-    given = new double[capacity];
     isPropped = new boolean[capacity];
     isStrained = new boolean[capacity];
     isFine = new boolean[capacity];
@@ -552,6 +562,34 @@ final class JointGroups {
     springsNow[group] = joules;
     if (isFirst) {
       springsBefore[group] = joules;
+    }
+  }
+
+  /** Slows bodies of a group by what its springs have got since they were noted last. */
+  void payStretch(int group, double joules) {
+    double m = 0;
+    double sum = 0;
+    for (int i = 0; i < watched; i++) {
+      if (groupOf[i] == group) {
+        m += mass[i];
+        double vx = bodies.vx[body[i]];
+        double vy = bodies.vy[body[i]];
+        double w = bodies.w[body[i]];
+        sum += 0.5 * (mass[i] * (vx * vx + vy * vy) + inertia[i] * w * w);
+      }
+    }
+    double got = joules - springsNow[group];
+    springsNow[group] = joules;
+    if (got <= REST * m) {
+      return;
+    }
+    float left = (float) Math.sqrt(Math.max(1 - got / sum, 0));
+    for (int i = 0; i < watched; i++) {
+      if (groupOf[i] == group) {
+        bodies.vx[body[i]] *= left;
+        bodies.vy[body[i]] *= left;
+        bodies.w[body[i]] *= left;
+      }
     }
   }
 
@@ -855,10 +893,10 @@ final class JointGroups {
 
   /**
    * Slows groups that have more energy than when the step began, than gravity and forces have given
-   * them since, and than what touches them has. This is the last net. Weighing and holding compare
-   * with the velocities of before joints, in which the impulses of contacts may be that only joints
-   * balance; so they don't notice what a light link gets of a heavy load. Nor do they know of
-   * errors of position, which draw bodies uphill.
+   * them since, and than what touches them has lost. This is the last net. Weighing and holding
+   * compare with the velocities of before joints, in which the impulses of contacts may be that
+   * only joints balance; so they don't notice what a light link gets of a heavy load. Nor do they
+   * know of errors of position, which draw bodies uphill.
    *
    * @param solver the bodies, and how gravity and forces accelerate them
    * @param contacts touch the groups
@@ -878,7 +916,7 @@ final class JointGroups {
       boolean pulls,
       boolean ends) {
     float[] v = solver.state;
-    boolean known = false;
+    areIslandsKnown = false;
     double half = 0.5 * stepS / s.substeps();
     int n = ends ? addStrained(v, contacts) : tendedCount;
     int next;
@@ -889,47 +927,35 @@ final class JointGroups {
         continue;
       }
       int to = next;
-      double before = isSprung[g] ? springsBefore[g] - springsNow[g] : 0;
-      double begun = 0;
-      double heavy = 0;
-      double now = 0;
-      double m = 0;
+      clearSums();
       for (int i = from; i < to; i++) {
-        int slot = body[tended[i]];
-        int at = place[tended[i]] * STRIDE;
-        double x = mass[tended[i]] * solver.accelerationX(place[tended[i]]);
-        double y = mass[tended[i]] * solver.accelerationY(place[tended[i]]);
-        double torque = inertia[tended[i]] * solver.angularAcceleration(place[tended[i]]);
-        double turn = torque == 0 ? 0 : Trig.atan2(v[at + SIN], v[at + COS]);
-        m += mass[tended[i]];
-        heavy += Math.abs(x) + Math.abs(y);
-        begun += kinetic(tended[i], bodies.vx[slot], bodies.vy[slot], bodies.w[slot]);
-        before += half * (x * bodies.vx[slot] + y * bodies.vy[slot] + torque * bodies.w[slot]);
-        before += x * v[at + DX] + y * v[at + DY] + torque * turn;
-        now += kinetic(tended[i], v[at + VX], v[at + VY], v[at + W]);
-        now += half * (x * v[at + VX] + y * v[at + VY] + torque * v[at + W]);
+        addToSums(body[tended[i]], solver, half);
       }
-      before += begun;
+      double has = now;
+      double had = begun;
+      double m = sumOfMass;
+      double may = begun + work + (isSprung[g] ? springsBefore[g] - springsNow[g] : 0);
       double lifted = heavy * s.maxPushSpeed() * stepS + (isSprung[g] ? WOUND * springsNow[g] : 0);
-      if (ends && -before > m * REST + lifted && !isPlain[g]) {
-        if (!known) {
-          known = true;
-          findTouching(contacts);
-        }
-        boolean loose = !hasTree[g] || isPropped[g]; // a tree may pull up what hangs on it
-        if (loose && -before > lifted + given[g] && !isTorn(g, torn)) {
-          goBack(from, to, begun / (begun - before), v);
-        }
+      boolean uphill = ends && !isPlain[g] && -may > m * REST + lifted;
+      double most = (1 + GRAIN) * Math.max(may, 0) + m * REST;
+      if (pulls) {
+        most = Math.max(most, PULL * Math.max(may, 0) + 0.5 * m * PULL_SPEED * PULL_SPEED);
       }
-      before = Math.max(before, 0);
-      double most = (1 + GRAIN) * before + m * REST;
-      most = pulls ? Math.max(most, PULL * before + 0.5 * m * PULL_SPEED * PULL_SPEED) : most;
-      if (now > most && !known) {
-        known = true;
-        findTouching(contacts);
+      if (!uphill && !(has > most)) {
+        continue;
       }
-      if (now > most + given[g]) {
-        double left = now - most - given[g];
+      if (!areIslandsKnown) {
+        areIslandsKnown = true;
+        findIslands(contacts, solver, half);
+      }
+      double given = islands.given(node(body[tended[from]]), has - may, GRAIN);
+      boolean loose = !hasTree[g] || isPropped[g]; // a tree may pull up what hangs on it
+      if (uphill && loose && -may > lifted + given && !isTorn(g, torn)) {
+        goBack(from, to, had / (had - may), v);
+      }
+      if (has > most + given) {
+        double left = has - most - given;
+        islands.add(node(body[tended[from]]), 0, -left);
         boolean keeps = isFree[g] && !isPropped[g];
         if (keeps) {
           left = slow(from, to, true, left, v);
@@ -939,6 +965,38 @@ final class JointGroups {
         }
       }
     }
+  }
+
+  private void clearSums() {
+    begun = 0;
+    work = 0;
+    now = 0;
+    sumOfMass = 0;
+    heavy = 0;
+  }
+
+  /** Adds the energies of a body that can be moved. */
+  private void addToSums(int slot, SolverBodies solver, double half) {
+    float[] v = solver.state;
+    int at = slotOf[slot] * STRIDE;
+    double m = 1.0 / bodies.invMass[slot];
+    double turning = bodies.invInertia[slot] > 0 ? 1.0 / bodies.invInertia[slot] : 0;
+    double x = m * solver.accelerationX(slotOf[slot]);
+    double y = m * solver.accelerationY(slotOf[slot]);
+    double torque = turning * solver.angularAcceleration(slotOf[slot]);
+    double vx = bodies.vx[slot];
+    double vy = bodies.vy[slot];
+    double w = bodies.w[slot];
+    sumOfMass += m;
+    heavy += Math.abs(x) + Math.abs(y);
+    begun += 0.5 * (m * (vx * vx + vy * vy) + turning * w * w);
+    work += half * (x * vx + y * vy + torque * w) + x * v[at + DX] + y * v[at + DY];
+    work += torque == 0 ? 0 : torque * Trig.atan2(v[at + SIN], v[at + COS]);
+    vx = v[at + VX];
+    vy = v[at + VY];
+    w = v[at + W];
+    now += 0.5 * (m * (vx * vx + vy * vy) + turning * w * w);
+    now += half * (x * vx + y * vy + torque * w);
   }
 
   /**
@@ -999,43 +1057,76 @@ final class JointGroups {
     }
   }
 
-  private double kinetic(int member, double vx, double vy, double w) {
-    return 0.5 * (mass[member] * (vx * vx + vy * vy) + inertia[member] * w * w);
-  }
-
-  /** Finds what touches groups, and so may give them energy. */
-  private void findTouching(ContactTable contacts) {
-    clear(given);
+  /** Finds what touches each other, and how much energy it has got in this step. */
+  private void findIslands(ContactTable contacts, SolverBodies solver, double half) {
+    islands.begin(bodies.slots());
     Arrays.fill(isPropped, 0, count, false);
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0) {
         int a = contacts.bodyA(row);
         int b = contacts.bodyB(row);
-        boolean belt = contacts.material[row * ContactTable.MATERIAL + ContactTable.SURFACE] != 0;
-        addTouching(a, b, belt);
-        addTouching(b, a, belt);
+        if (isMovable(a) && isMovable(b)) {
+          islands.join(node(a), node(b));
+        } else {
+          prop(a, b);
+          prop(b, a);
+        }
+      }
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.points[row] > 0) {
+        int a = contacts.bodyA(row);
+        int b = contacts.bodyB(row);
+        int at = row * ContactTable.MATERIAL;
+        boolean gives = contacts.material[at + ContactTable.SURFACE] != 0;
+        gives |= contacts.material[at + ContactTable.RESTITUTION] > 1;
+        addTouching(a, gives || isMoving(b), solver, half);
+        addTouching(b, gives || isMoving(a), solver, half);
+      }
+    }
+    for (int i = 0; i < bodyCount; i++) {
+      clearSums();
+      addToSums(body[i], solver, half);
+      islands.add(node(body[i]), begun, now - begun - work);
+    }
+    for (int i = 0; i < bodyCount; i++) {
+      int g = groupOf[i];
+      if (isFed[g] || isCarried[g]) {
+        islands.open(node(body[i]));
+      } else if (isSprung[g] && leader[body[i]] == body[i]) {
+        islands.add(node(body[i]), 0, springsNow[g] - springsBefore[g]);
       }
     }
   }
 
-  private void addTouching(int slot, int other, boolean belt) {
-    int g = group(slot);
-    if (g < 0 || (g == group(other) && !belt)) {
-      return;
-    }
-    if (belt || isMoving(other) || group(other) >= 0) {
-      given[g] = Double.POSITIVE_INFINITY;
-    } else if (isMovable(other)) {
-      double vx = bodies.vx[other];
-      double vy = bodies.vy[other];
-      given[g] += 0.5 * (vx * vx + vy * vy) / bodies.invMass[other];
-    } else {
-      isPropped[g] = true;
+  /** Notes a group that touches what can't be moved. */
+  private void prop(int slot, int other) {
+    if (group(slot) >= 0 && !isMovable(other) && !isMoving(other)) {
+      isPropped[group(slot)] = true;
     }
   }
 
+  private void addTouching(int slot, boolean gives, SolverBodies solver, double half) {
+    if (!isMovable(slot)) {
+      return;
+    }
+    if (gives) {
+      islands.open(node(slot));
+    }
+    if (group(slot) < 0 && islands.isFirst(slot)) {
+      clearSums();
+      addToSums(slot, solver, half);
+      islands.add(slot, begun, now - begun - work);
+    }
+  }
+
+  /** Returns the body that stands for all that joints hold with a body. */
+  private int node(int slot) {
+    return group(slot) >= 0 ? leader(slot) : slot;
+  }
+
   /** Returns the group of a body, -1 for none. */
-  private int group(int slot) {
+  int group(int slot) {
     boolean isKnown = slot < seen.length && seen[slot] == search; // only jointed bodies are
     return isKnown && isMovable(slot) ? groupAt[slot] : -1;
   }

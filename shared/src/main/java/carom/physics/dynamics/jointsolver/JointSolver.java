@@ -434,12 +434,30 @@ public final class JointSolver {
   private void addSprings(int sign) {
     for (int g = 0; g < groups.count(); g++) {
       if (groups.isSprung(g)) {
-        double joules = 0;
-        for (int at = groups.start(g); at < groups.start(g + 1); at++) {
-          int i = groups.joint(at);
-          joules += store.hasSpring(found[i]) ? visits[0].springEnergy(place[i], sign > 0) : 0;
-        }
-        groups.noteSprings(g, joules, sign);
+        groups.noteSprings(g, springEnergy(g, sign > 0), sign);
+      }
+    }
+  }
+
+  private double springEnergy(int g, boolean moved) {
+    double joules = 0;
+    for (int at = groups.start(g); at < groups.start(g + 1); at++) {
+      int i = groups.joint(at);
+      joules += store.hasSpring(found[i]) ? visits[0].springEnergy(place[i], moved) : 0;
+    }
+    return joules;
+  }
+
+  /**
+   * Takes energy that springs have got since the last substep out of the motion of their bodies.
+   * Continuous collision put some of these back, and so it stretched springs.
+   */
+  public void payStretch(SolverBodies b) {
+    others.posesChanged();
+    for (int i = 0; i < b.putBackCount(); i++) {
+      int g = groups.group(b.putBack(i));
+      if (g >= 0 && groups.isSprung(g)) {
+        groups.payStretch(g, springEnergy(g, true));
       }
     }
   }
