@@ -196,12 +196,14 @@ final class MakeAGameTest {
     BufferedImage picture = new BufferedImage(640, 360, BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = picture.createGraphics();
     int wall;
+    int disc;
     try (Stepper world = Stepper.of(ArenaGame::new, "arena");
         URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
       SimulatedClient ann = world.join("Ann", Impairment.NONE, new Bot(1));
       world.run(1);
       Level level = ann.view().level();
       wall = level.archetypes().get(level.statics().get(0).archetype()).appearance().rgb();
+      disc = ann.view().own().archetype().appearance().rgb();
       Object painter = loader.loadClass("Painter").getConstructor().newInstance();
       painter
           .getClass()
@@ -216,7 +218,7 @@ final class MakeAGameTest {
         colours.add(picture.getRGB(x, y) & 0xffffff);
       }
     }
-    assertTrue(colours.contains(wall), () -> "colours=" + colours);
+    assertTrue(colours.containsAll(List.of(wall, disc)), () -> "colours=" + colours);
     assertTrue(colours.size() >= 4, () -> "colours=" + colours);
   }
 }
