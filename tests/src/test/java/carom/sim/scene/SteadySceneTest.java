@@ -37,7 +37,7 @@ final class SteadySceneTest {
   private static final Map<String, Integer> FILLED_AT =
       Map.of(
           "arch", 610,
-          "bridge", 1460,
+          "bridge", 1560,
           "bullets", 1210,
           "conveyor", 2690,
           "filters", 1800,

@@ -269,6 +269,9 @@ final class JointGroups {
     bodies = b;
     slots = found;
     ensure(Math.max(n, j.count()), b.slots());
+    if (n > 0) {
+      islands.ensure(b.slots());
+    }
     search++;
     bodyCount = 0;
     for (int i = 0; i < n; i++) {

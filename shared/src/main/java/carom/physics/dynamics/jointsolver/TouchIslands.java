@@ -13,8 +13,8 @@ final class TouchIslands {
   private double[] had = new double[0];
   private double[] gained = new double[0];
 
-  /** Makes each body an island of its own. */
-  void begin(int slots) {
+  /** Makes room for so many slots of bodies. */
+  void ensure(int slots) {
     if (leader.length < slots) {
       int capacity = Math.max(slots, 2 * leader.length);
       leader = new int[capacity];
@@ -23,6 +23,11 @@ final class TouchIslands {
       had = new double[capacity];
       gained = new double[capacity];
     }
+  }
+
+  /** Makes each body an island of its own. */
+  void begin(int slots) {
+    ensure(slots);
     for (int i = 0; i < slots; i++) {
       leader[i] = i;
     }
