@@ -58,16 +58,18 @@ public final class SetUp {
    * @throws IllegalArgumentException when the game has registered one of this name
    */
   public Archetype archetype(ArchetypeDef def) {
-    Archetype archetype = parts.archetypes.add(def);
-    requireNew("archetype", def.name());
-    return archetype;
+    Limits.notNull("def", def);
+    return register("archetype", def.name(), () -> parts.archetypes.add(def));
   }
 
-  private void requireNew(String what, String name) {
-    if (!named.add(what + "=" + name)) {
-      throw new IllegalArgumentException(
-          what + "=" + name + " is registered twice; give each a name of its own");
+  private <T> T register(String sort, String name, Supplier<T> add) {
+    String own = sort + "=" + name;
+    if (named.contains(own)) {
+      throw new IllegalArgumentException(own + " is registered twice; give each a name of its own");
     }
+    T thing = add.get();
+    named.add(own);
+    return thing;
   }
 
   /**
@@ -85,9 +87,8 @@ public final class SetUp {
    * @throws IllegalArgumentException when the game has registered one of this name
    */
   public Assembly assembly(AssemblyDef def) {
-    Assembly assembly = parts.assemblies.add(def);
-    requireNew("assembly", assembly.name());
-    return assembly;
+    Limits.notNull("def", def);
+    return register("assembly", def.name(), () -> parts.assemblies.add(def));
   }
 
   /**
@@ -112,9 +113,8 @@ public final class SetUp {
    */
   public EventKind event(
       String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
-    EventKind kind = parts.eventKinds.add(name, rgb, radius, label, sound, fullStrength);
-    requireNew("event", name);
-    return kind;
+    return register(
+        "event", name, () -> parts.eventKinds.add(name, rgb, radius, label, sound, fullStrength));
   }
 
   /** Registers a kind of message, and returns it. */

@@ -43,6 +43,11 @@ public final class AssemblyDef {
     this.name = Limits.notNull("name", name);
   }
 
+  /** Returns its name. */
+  public String name() {
+    return name;
+  }
+
   /**
    * Adds a body. The first one is the root: the player's body, if a player owns the assembly.
    *
