@@ -62,7 +62,7 @@ final class RoomEnd {
     }
     closed = true;
     parts.recording.end("HANDED OVER");
-    parts.journals.handOver(nowNs);
+    parts.journals.end(true, nowNs); // the follower gets the last state, and computes nothing
     for (int i = 0; i < parts.sessions.count(); i++) {
       Session session = parts.sessions.get(i);
       var there = session.door() == Link.Door.OWN ? null : where.apply(session.door());

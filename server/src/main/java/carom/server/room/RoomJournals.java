@@ -101,16 +101,6 @@ final class RoomJournals {
     }
   }
 
-  /** Ends all journals with the last tick, because the follower goes on with the room. */
-  void handOver(long nowNs) {
-    if (own != null) {
-      own.end(true, nowNs);
-    }
-    if (follower != null) {
-      follower.endMatch("HANDED OVER");
-    }
-  }
-
   void abandon(String why) {
     if (own != null) {
       own.abandon(why);
