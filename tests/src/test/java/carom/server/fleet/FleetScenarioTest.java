@@ -14,6 +14,10 @@ import carom.server.Backend;
 import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig.Durability;
 import carom.server.room.Room;
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -25,6 +29,7 @@ import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /**
  * Goal: three servers are one service. Method: a fleet in virtual time, with a directory that can
@@ -293,16 +298,30 @@ class FleetScenarioTest {
   }
 
   @Test
-  void aServerThatStopsLosesNothing() throws Exception {
+  void aServerThatStopsLosesNothingAndNobodyComputesItsRoomsAgain() throws Exception {
+    Logger log = (Logger) LoggerFactory.getLogger("carom.server.checkpoint.RoomResume");
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
     try (FleetRig rig = threeServers()) {
       Map<String, String> seats = seats(rig);
       FleetRig.Node leaving = rig.nodes.get("a");
+      lines.start();
+      log.addAppender(lines);
+      log.setLevel(Level.INFO);
       leaving.member.drain();
       rig.run(1);
       assertTrue(leaving.member.isDrained());
       requireAllPlay(rig);
       assertEquals(seats, seats(rig));
       assertTrue(leaving.server.rooms().isEmpty());
+    } finally {
+      log.setLevel(null);
+      log.detachAppender(lines);
+    }
+    assertFalse(lines.list.isEmpty());
+    for (ILoggingEvent line : lines.list) {
+      assertTrue(
+          line.getFormattedMessage().matches(".* tick=(\\d+) checkpoint=\\1 inputs=0 .*"),
+          line.getFormattedMessage());
     }
   }
 
