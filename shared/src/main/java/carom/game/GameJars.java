@@ -2,6 +2,7 @@ package carom.game;
 
 import carom.sim.Game;
 import carom.sim.level.Level;
+import carom.text.FileErrors;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -111,7 +112,8 @@ public final class GameJars {
         }
       }
     } catch (IOException e) {
-      reasons.append("; ").append(e.getMessage());
+      reasons.append("; games=").append(folder).append(" can't be read: ");
+      reasons.append(FileErrors.reason(e));
     }
     return reasons.toString();
   }

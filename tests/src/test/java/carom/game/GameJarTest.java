@@ -105,6 +105,13 @@ class GameJarTest {
                   "; chess.jar has no file META-INF/services/carom.sim.Game that names the game's"
                       + " class"),
           e.getMessage());
+
+      Files.delete(jars.resolve("chess.jar"));
+      Files.delete(jars.resolve("other.jar"));
+      Files.delete(jars);
+      e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
+      String gone = "; games=" + jars + " can't be read: there is no " + jars;
+      assertTrue(e.getMessage().endsWith(gone), e.getMessage());
     }
   }
 

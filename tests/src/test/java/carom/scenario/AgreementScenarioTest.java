@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
-import carom.fixtures.Crowd;
 import carom.fixtures.Levels;
 import carom.fixtures.Slice;
 import carom.net.transport.Impairment;
@@ -185,13 +184,12 @@ class AgreementScenarioTest {
 
   @Test
   void fiftyClientsPlayAndNobodyFallsOut() {
-    // Goal: a full room on mixed networks. Method: fifty bots, every fifth with loss and latency;
-    // five predict, as what a client predicts is its own affair.
+    // Goal: a full room on mixed networks. Method: fifty bots, every fifth with loss and latency.
     try (Stepper stepper = Stepper.of("arena")) {
       // What was overtaken is no new snapshot: jitter costs a third of them.
       for (int i = 0; i < 50; i++) {
         Condition condition = i % 5 == 0 ? Condition.MIXED : Condition.CLEAN;
-        Crowd.add(stepper, condition.impairment(Stepper.SEED), new Bot(i));
+        stepper.add("bot" + i, condition.impairment(Stepper.SEED), new Bot(i));
       }
       stepper.run(3);
       for (SimulatedClient client : stepper.clients()) {

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.MessageListener;
 import carom.client.bots.Bot;
 import carom.client.link.ConnectionPhase;
 import carom.fixtures.FieldGame;
+import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.DataFolder;
 import carom.server.config.EffectiveSetting;
@@ -160,8 +162,11 @@ final class OperatorCommandsTest {
     assertFalse(nowhere.contains("fields"), "that game's level isn't in the program: " + nowhere);
     String near = ok("level comons");
     assertTrue(near.endsWith("did you mean \"commons\"?"), near);
-    String unknown = ok("game platfromer"); // and perhaps what a folder of games lacks
+    String unknown = ok("game platfromer");
     assertTrue(unknown.contains("did you mean \"platformer\"?"), unknown);
+    // What comes behind it is about a folder of games, if other tests have opened one.
+    var why = assertThrows(IllegalArgumentException.class, () -> Games.create("platfromer"));
+    assertTrue(unknown.endsWith(why.getMessage()), unknown);
     assertTrue(ok("rooms").contains("platformer"));
   }
 

@@ -31,9 +31,7 @@ class FleetChaosTest {
 
   @Test
   void aRoomHasAtMostOneOwnerAndEverybodyPlaysInTheEnd() throws Exception {
-    long seed = Long.getLong("carom.fleet.seed", System.nanoTime());
-    System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
-    Random random = new Random(seed);
+    Random random = FleetRig.draws();
     try (FleetRig rig = new FleetRig(folder, 4)) {
       rig.durability = random.nextBoolean() ? Durability.SYNC : Durability.ASYNC;
       rig.lagNs = random.nextInt(3) * 10_000_000L;

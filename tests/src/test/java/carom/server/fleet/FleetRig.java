@@ -26,6 +26,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -77,6 +78,13 @@ public final class FleetRig implements AutoCloseable {
   public FleetRig(Path folder, int places) {
     this.folder = folder;
     this.places = places;
+  }
+
+  /** Returns what draws a fleet's fate, and prints the seed. */
+  static Random draws() {
+    long seed = Long.getLong("carom.fleet.seed", System.nanoTime());
+    System.out.println("fleet of seed " + seed + " (-Dcarom.fleet.seed=" + seed + ")");
+    return new Random(seed);
   }
 
   long now() {

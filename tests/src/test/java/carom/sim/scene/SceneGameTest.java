@@ -3,7 +3,6 @@ package carom.sim.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.fixtures.Slice;
 import carom.game.Games;
 import carom.sim.Role;
 import carom.sim.SimulationHost;
@@ -15,7 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** A scene that players watch is the scene. */
 final class SceneGameTest {
   static Stream<Scene> scenes() {
-    return Slice.half(ScenesTest.scenes().filter(SceneGameTest::listed));
+    return ScenesTest.scenes().filter(SceneGameTest::listed);
   }
 
   private static boolean listed(Scene scene) {
