@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.jar.JarFile;
+import java.util.zip.ZipException;
 
 /**
  * The jars of a folder of games, {@code --games FOLDER}, which a program has beside those on its
@@ -127,6 +128,16 @@ public final class GameJars {
     return jars;
   }
 
+  /** Throws, by the file's name, for a jar of which no class loader would find anything. */
+  private static void requireReadable(Path jar) throws IOException {
+    try {
+      new JarFile(jar.toFile()).close();
+    } catch (ZipException e) {
+      throw new IOException(
+          jar.getFileName() + " is no jar that can be read; build it again or take it away", e);
+    }
+  }
+
   private static void take(String state) throws IOException {
     Path copies = Files.createTempDirectory("carom-games");
     copies.toFile().deleteOnExit();
@@ -135,6 +146,7 @@ public final class GameJars {
       Path copy = copies.resolve(jar.getFileName());
       Files.copy(jar, copy, StandardCopyOption.REPLACE_EXISTING);
       copy.toFile().deleteOnExit();
+      requireReadable(copy);
       urls.add(copy.toUri().toURL());
     }
     // Not closed: games of it may run until the program ends.

@@ -2,6 +2,7 @@ package carom.options;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
@@ -14,6 +15,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
  */
 public final class BadFlag extends ParameterException {
   private static final long serialVersionUID = 1;
+
+  private static final Map<Class<?>, String> NUMBERS =
+      Map.of(int.class, "whole number", long.class, "whole number", double.class, "number");
 
   /**
    * Creates an error for a flag.
@@ -45,7 +49,7 @@ public final class BadFlag extends ParameterException {
     PrintWriter err = program.getErr();
     String flag = unknownFlag(e);
     boolean told = e.getCause() instanceof Flags.Refusal;
-    String message = told ? e.getCause().getMessage() : e.getMessage();
+    String message = told ? e.getCause().getMessage() : message(e);
     err.println(name + ": " + (flag == null ? message : "unknown flag '" + flag + "'"));
     if (!(e instanceof BadFlag) && !told) {
       if (flag == null) {
@@ -57,6 +61,22 @@ public final class BadFlag extends ParameterException {
     }
     err.flush();
     return program.getCommandSpec().exitCodeOnInvalidInput();
+  }
+
+  /** Returns what is wrong; of a value that is no number, with what the flag takes. */
+  private static String message(ParameterException e) {
+    return e.getArgSpec() instanceof OptionSpec option
+            && e.getValue() != null
+            && e.getMessage().startsWith("Invalid value")
+            && NUMBERS.containsKey(option.type())
+        ? option.longestName()
+            + "="
+            + e.getValue()
+            + " is no "
+            + NUMBERS.get(option.type())
+            + "; "
+            + String.join(" ", option.description())
+        : e.getMessage();
   }
 
   /** Returns the first flag that the program doesn't have, or null if that isn't what is wrong. */

@@ -58,6 +58,7 @@ final class GameExamplesTest {
         static final carom.sim.field.Scope MATCH = carom.sim.field.Scope.MATCH;
         static final Count HEALTH = Field.count("health", 0, 100);
         static final Countdown RELOAD = Field.countdown("reload");
+        static final Real SPEED = Field.real("speed");
         static final Countdown FUEL = Field.countdown("fuel");
         static final Ratio NITRO = Field.ratio("nitro");
         static final Flag LEVER = Field.flag("lever");

@@ -17,6 +17,7 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.jar.JarOutputStream;
 import java.util.zip.ZipEntry;
@@ -112,6 +113,20 @@ class GameJarTest {
       e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
       String gone = "; games=" + jars + " can't be read: there is no " + jars;
       assertTrue(e.getMessage().endsWith(gone), e.getMessage());
+    }
+  }
+
+  @Test
+  void aJarThatCannotBeReadIsNamed() throws Throwable {
+    jar(folder.resolve("good.jar"), "META-INF/services/carom.sim.Game");
+    byte[] whole = Files.readAllBytes(folder.resolve("good.jar"));
+    Files.write(folder.resolve("broken.jar"), Arrays.copyOf(whole, whole.length / 2));
+    try (URLClassLoader program = program()) {
+      Method open = program.loadClass(GameJars.class.getName()).getMethod("open", Path.class);
+      Throwable e = assertThrows(InvocationTargetException.class, () -> open.invoke(null, folder));
+      assertEquals(
+          "broken.jar is no jar that can be read; build it again or take it away",
+          e.getCause().getMessage());
     }
   }
 

@@ -5,6 +5,7 @@ import carom.sim.field.Countdown;
 import carom.sim.field.EntityRef;
 import carom.sim.field.Field;
 import carom.sim.field.PlayerRef;
+import java.util.Locale;
 
 /**
  * A line of the own player's panel, from a field of the game: a bar, a number, a time, a word, or
@@ -47,6 +48,12 @@ public final class HudItem {
     TOP_LEFT
   }
 
+  /** Largest factor of a line. */
+  public static final float MAX_SCALE = 1e6f;
+
+  /** Most decimals of a line. */
+  public static final int MAX_DECIMALS = 6;
+
   /** Most icons of a line. */
   public static final int MAX_ICONS = 12;
 
@@ -56,6 +63,8 @@ public final class HudItem {
   private ShownValue condition;
   private Place place = Place.BOTTOM;
   private int rgb = -1;
+  private float scale = 1;
+  private int decimals;
 
   private HudItem(Kind kind, String label, Field<?> field) {
     this.kind = kind;
@@ -118,6 +127,41 @@ public final class HudItem {
     return this;
   }
 
+  /**
+   * Multiplies what a number or a time shows, such as by 3.6 to show m/s as km/h, or by 0.001 to
+   * show milliseconds as seconds.
+   *
+   * @param factor within {@link #MAX_SCALE} on both sides of 0; 1 without it
+   */
+  public HudItem scale(float factor) {
+    requireFigures("scale");
+    scale = Range.check("factor", factor, -MAX_SCALE, MAX_SCALE);
+    return this;
+  }
+
+  /**
+   * Sets how many digits stand behind the point of a number or a time. Without it a number is
+   * rounded to a whole one, and a time is rounded up.
+   *
+   * @param digits 0 to {@link #MAX_DECIMALS}
+   */
+  public HudItem decimals(int digits) {
+    requireFigures("decimals");
+    decimals = Range.check("digits", digits, 0, MAX_DECIMALS);
+    return this;
+  }
+
+  private void requireFigures(String word) {
+    if (kind != Kind.NUMBER && kind != Kind.TIME) {
+      throw new IllegalArgumentException(
+          "a "
+              + kind.name().toLowerCase(Locale.ROOT)
+              + " has no "
+              + word
+              + "; a number or time has");
+    }
+  }
+
   /** Returns what it shows. */
   public Kind kind() {
     return kind;
@@ -141,6 +185,16 @@ public final class HudItem {
   /** Returns where it stands. */
   public Place place() {
     return place;
+  }
+
+  /** Returns by what a number or a time is multiplied. */
+  public float scale() {
+    return scale;
+  }
+
+  /** Returns how many digits stand behind the point. */
+  public int decimals() {
+    return decimals;
   }
 
   /** Returns the colour of a bar, 0xRRGGBB; -1 for the usual ones. */

@@ -89,6 +89,7 @@ final class LookWriter {
     json.writeEndObject();
     list("hud", v.hud(), this::line);
     json.writeStringField("minimap", v.minimap() == null ? "" : v.minimap().name());
+    texts("marks", List.copyOf(v.marks()));
     json.writeStringField("music", v.music().isEmpty() ? "" : files.get(v.music()));
     json.writeEndObject();
   }
@@ -223,6 +224,12 @@ final class LookWriter {
     value("condition", h.condition());
     json.writeStringField("place", h.place().name());
     json.writeNumberField("rgb", h.rgb());
+    if (h.scale() != 1) {
+      number("scale", h.scale());
+    }
+    if (h.decimals() != 0) {
+      json.writeNumberField("decimals", h.decimals());
+    }
     json.writeEndObject();
   }
 

@@ -26,6 +26,7 @@ public final class ViewSetup {
   private final CameraSetup camera = new CameraSetup();
   private final List<HudItem> hud = new ArrayList<>();
   private HudItem.Place minimap;
+  private final Set<String> marks = new TreeSet<>();
   private HudPainter painter;
   private String music = "";
 
@@ -156,9 +157,18 @@ public final class ViewSetup {
     hud.addAll(all);
   }
 
-  /** Shows the whole level with its players, small, at a place, unless the picture shows it all. */
-  public void minimap(HudItem.Place place) {
-    minimap = Limits.notNull("place", place);
+  /**
+   * Shows the whole level with its players, small, at a place, unless the picture shows it all.
+   *
+   * @param marked names of archetypes whose entities are on it, too, such as a flag or a ball. A
+   *     client knows those far away only if their audience is all players
+   */
+  public void minimap(HudItem.Place place, String... marked) {
+    Limits.notNull("place", place);
+    List<String> all = Range.all("marked", marked);
+    minimap = place;
+    marks.clear();
+    marks.addAll(all);
   }
 
   /** Sets what draws over each picture of the window. Browsers don't have it. */
@@ -174,6 +184,11 @@ public final class ViewSetup {
   /** Returns where the minimap stands; null for none. */
   public HudItem.Place minimap() {
     return minimap;
+  }
+
+  /** Returns the names of archetypes whose entities are on the minimap. Do not change the set. */
+  public Set<String> marks() {
+    return marks;
   }
 
   /** Returns the lines about the own player in their order. Do not change the list. */
@@ -252,6 +267,7 @@ public final class ViewSetup {
   public Set<String> things() {
     Set<String> names = new TreeSet<>(blows.keySet());
     names.addAll(trails.keySet());
+    names.addAll(marks);
     sprites.forEach(sprite -> names.add(sprite.archetype()));
     return names;
   }

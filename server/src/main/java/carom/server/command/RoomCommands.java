@@ -8,7 +8,9 @@ import carom.server.room.Room;
 import carom.server.session.PlayerInfo;
 import carom.server.upload.Uploads;
 import carom.sim.message.BuiltInKinds;
+import carom.text.Suggestion;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +20,10 @@ import java.util.regex.Pattern;
 /** The commands that are about a room: who plays, what is played, and what is recorded. */
 public final class RoomCommands {
   private static final String STOP = "stop";
+
+  /** Most saved matches that a message names. */
+  private static final int MAX_SHOWN = 20;
+
   private static final String MATCH = "match";
   private static final Pattern NEXT_FIELD = Pattern.compile(" (?=[-\\w.\\[\\]]+=)");
 
@@ -305,11 +311,23 @@ public final class RoomCommands {
     String name = savedName(room, words);
     try {
       String from = saves.bring(name);
+      if (!Files.exists(data.saved(name))) {
+        return "not loaded: there is no file " + data.saved(name) + others(name);
+      }
       String done = room.operator().load(data.saved(name));
       return from.isEmpty() ? done : done + ", as saved at " + from;
     } catch (IOException e) {
       return "not loaded: " + e.getMessage();
     }
+  }
+
+  /** Returns which matches are saved, for one that isn't, and which was meant. */
+  private String others(String name) {
+    List<String> saved = data.savedNames();
+    List<String> shown = saved.subList(0, Math.min(MAX_SHOWN, saved.size()));
+    return Suggestion.didYouMean(name, saved)
+        + (saved.isEmpty() ? "; none is saved yet" : "; saved are " + String.join(", ", shown))
+        + (shown.size() < saved.size() ? " and " + (saved.size() - shown.size()) + " more" : "");
   }
 
   private static String savedName(Room room, CommandWords words) throws CommandException {

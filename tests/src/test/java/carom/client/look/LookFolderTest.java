@@ -21,6 +21,7 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -95,6 +96,8 @@ final class LookFolderTest {
                   v.camera().height(18).lead(0.5f).zone("cave").whileSet(ShooterFields.COVER, 30);
                   v.hud(HudItem.bar("damage", ShooterFields.DAMAGE).colour(0xff0000));
                   v.hud(HudItem.word("star", PlaygroundFields.KEEPER));
+                  v.hud(HudItem.number("hits", ShooterFields.DAMAGE).scale(0.01f).decimals(2));
+                  v.minimap(HudItem.Place.TOP_LEFT, "rocket", "crate");
                 }));
     Json jump = look.fields.get("actions").items.get(0);
     assertEquals("1", jump.fields.get("button").text);
@@ -129,6 +132,11 @@ final class LookFolderTest {
     assertEquals("WORD star", texts(star, "kind", "label"));
     assertEquals(
         "match keeper REFERENCE", texts(star.get("value").fields, "scope", "field", "type"));
+    assertEquals("0.01 2", texts(look.fields.get("hud").items.get(2).fields, "scale", "decimals"));
+    assertEquals(null, look.fields.get("hud").items.get(0).fields.get("decimals"));
+    assertEquals(
+        List.of("crate", "rocket"),
+        look.fields.get("marks").items.stream().map(mark -> mark.text).toList());
   }
 
   private static String texts(Map<String, Json> fields, String... names) {

@@ -75,9 +75,13 @@ public final class RandomView implements GameView {
 
   private HudItem line() {
     HudItem line =
-        switch (random.nextInt(3)) {
+        switch (random.nextInt(4)) {
           case 0 -> HudItem.bar("goals", RocketFields.HEALTH);
           case 1 -> HudItem.icons(picture(), RocketFields.HEALTH);
+          case 2 ->
+              HudItem.number("health", RocketFields.HEALTH)
+                  .scale(in(-9, 9))
+                  .decimals(random.nextInt(HudItem.MAX_DECIMALS + 1));
           default -> HudItem.time("wait", RocketFields.HEALTH).whileSet(RocketFields.HEALTH);
         };
     return line.at(one(List.of(HudItem.Place.values()))).colour(random.nextInt());
@@ -137,7 +141,7 @@ public final class RandomView implements GameView {
           });
     }
     if (random.nextBoolean()) {
-      v.minimap(one(List.of(HudItem.Place.values())));
+      v.minimap(one(List.of(HudItem.Place.values())), one(THINGS), one(THINGS));
     }
     for (int i = random.nextInt(9); i > 0; i--) {
       v.hud(line());

@@ -94,6 +94,18 @@ final class ViewSetupTest {
   }
 
   @Test
+  void onlyNumbersAndTimesHaveDecimals() {
+    HudItem number = HudItem.number("speed", Field.count("speed"));
+    assertEquals(3.6f, number.scale(3.6f).decimals(6).scale());
+    refused("digits=7 is outside 0..6", () -> number.decimals(7));
+    refused("digits=-1 is outside 0..6", () -> number.decimals(-1));
+    ranged(-HudItem.MAX_SCALE, HudItem.MAX_SCALE, number::scale);
+    HudItem bar = HudItem.bar("health", Field.ratio("health"));
+    refused("a bar has no decimals; a number or time has", () -> bar.decimals(1));
+    refused("a bar has no scale; a number or time has", () -> bar.scale(2));
+  }
+
+  @Test
   void declarationsAreLimited() {
     for (int i = 0; i < ViewSetup.MAX; i++) {
       setup.sprite("a", "a.png");

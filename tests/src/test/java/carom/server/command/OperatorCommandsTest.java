@@ -196,7 +196,9 @@ final class OperatorCommandsTest {
     long compared = ann.compared();
     stepper.run(2);
     assertTrue(ann.compared() > compared, "she plays and predicts on");
-    assertTrue(ok("load nothing").startsWith("not loaded: there is no file "));
+    String missing = ok("load evenin");
+    assertTrue(missing.startsWith("not loaded: there is no file "), missing);
+    assertTrue(missing.endsWith("; did you mean \"evening\"?; saved are evening"), missing);
     assertTrue(fails("load ../x").contains("other characters"));
     Path file = folder.resolve("saves/evening.carom-save");
     byte[] bytes = Files.readAllBytes(file);

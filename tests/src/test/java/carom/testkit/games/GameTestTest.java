@@ -470,16 +470,20 @@ class GameTestTest {
 
   @Test
   void aWrongFlagSaysWhatIsAllowed() {
-    StringWriter err = new StringWriter();
-    int code =
-        CaromMain.run(
-            new PrintWriter(new StringWriter()),
-            new PrintWriter(err),
-            "test",
-            "arena",
-            "--players",
-            "99");
-    assertEquals(2, code);
-    assertTrue(err.toString().contains("--players=99 is outside 1..64"), err.toString());
+    for (String[] wrong :
+        new String[][] {
+          {"--players", "99", "--players=99 is outside 1..64"},
+          {
+            "--players", "2,3", "--players=2,3 is no whole number; Players who play together, 1..64"
+          },
+          {"--seconds", "ten", "--seconds=ten is no number; Length of each play"},
+          {"--seed", "1.5", "--seed=1.5 is no whole number; Seed of"}
+        }) {
+      StringWriter err = new StringWriter();
+      PrintWriter out = new PrintWriter(new StringWriter());
+      int code = CaromMain.run(out, new PrintWriter(err), "test", "arena", wrong[0], wrong[1]);
+      assertEquals(2, code);
+      assertTrue(err.toString().contains(wrong[2]), err.toString());
+    }
   }
 }

@@ -17,6 +17,7 @@ import com.badlogic.gdx.graphics.g2d.TextureRegion;
 import com.badlogic.gdx.math.MathUtils;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Draws the lines of a game's look about the own player, or the one watched. Render thread only.
@@ -136,9 +137,18 @@ final class LookHud {
     float value = item.value().number(view, body.ownerId(), body);
     if (item.kind() == HudItem.Kind.TIME) {
       boolean ticks = item.value().field() instanceof Countdown;
-      return MathUtils.ceil(ticks ? value / view.tickRate() : value) + " s";
+      return figure(item, ticks ? value / view.tickRate() : value) + " s";
     }
-    return Integer.toString(Math.round(value));
+    return figure(item, value);
+  }
+
+  private static String figure(HudItem item, float value) {
+    float shown = item.scale() * value;
+    if (item.decimals() > 0) {
+      return String.format(Locale.ROOT, "%." + item.decimals() + "f", shown);
+    }
+    boolean roundsUp = item.kind() == HudItem.Kind.TIME;
+    return Integer.toString(roundsUp ? MathUtils.ceil(shown) : Math.round(shown));
   }
 
   private void bar(HudItem item, float share, float x, float y) {

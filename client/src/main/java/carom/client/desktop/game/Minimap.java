@@ -16,12 +16,13 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 import java.util.List;
 
-/** Draws the whole level with its players, small, if the look has it. Render thread only. */
+/** Draws the whole level with its players, and what the look marks, small. Render thread only. */
 final class Minimap {
   private static final float LONGEST = 190;
   private static final float SHORTEST = 50;
   private static final float PAD = 6;
   private static final float DOT = 3;
+  private static final float MARK = 4;
   private static final int MAX_CORNERS = 64;
 
   private final ShownLook look;
@@ -69,9 +70,11 @@ final class Minimap {
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn body = view.entity(i);
-      if (body.archetype().appearance().look() == Appearance.Look.PLAYER) {
-        float dotX = x + scale * MathUtils.clamp(body.x(), bounds.minX(), bounds.maxX());
-        float dotY = y + scale * MathUtils.clamp(body.y(), bounds.minY(), bounds.maxY());
+      float dotX = x + scale * MathUtils.clamp(body.x(), bounds.minX(), bounds.maxX());
+      float dotY = y + scale * MathUtils.clamp(body.y(), bounds.minY(), bounds.maxY());
+      if (look.setup().marks().contains(body.archetype().name())) {
+        mark(dotX, dotY, body.archetype().appearance().rgb());
+      } else if (body.archetype().appearance().look() == Appearance.Look.PLAYER) {
         if (body == view.own()) {
           canvas.disc(dotX, dotY, DOT + 1.5f, UiColours.TEXT);
         }
@@ -81,6 +84,24 @@ final class Minimap {
       }
     }
     canvas.end();
+  }
+
+  /** Draws a square on its corner, which is no player's dot. */
+  private void mark(float x, float y, int rgb) {
+    diamond(x, y, MARK + 1.5f, UiColours.TEXT);
+    diamond(x, y, MARK, UiColours.shade(rgb, 1, 1, color));
+  }
+
+  private void diamond(float x, float y, float r, Color filled) {
+    corners[0] = x - r;
+    corners[1] = y;
+    corners[2] = x;
+    corners[3] = y - r;
+    corners[4] = x + r;
+    corners[5] = y;
+    corners[6] = x;
+    corners[7] = y + r;
+    canvas.convex(corners, 4, filled);
   }
 
   private void piece(Scenery piece, float x, float y, float scale, Level.Bounds bounds) {

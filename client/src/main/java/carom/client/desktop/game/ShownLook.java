@@ -75,8 +75,9 @@ public final class ShownLook {
         player.accept("The game's own look is gone or can't be loaded, so it has " + stays);
       }
     } catch (RuntimeException | Error e) { // also an error, such as a class that is missing
-      LOG.error("the view of game {} failed: {}", name, GameFault.describe(e), e);
-      player.accept("The game's own look failed, so it has " + stays);
+      String reason = GameFault.describe(e);
+      LOG.error("the view of game {} failed: {}", name, reason, e);
+      player.accept("The game's own look failed, so it has " + stays + ": " + reason);
     }
     return false;
   }

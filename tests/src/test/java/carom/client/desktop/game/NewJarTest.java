@@ -116,10 +116,18 @@ final class NewJarTest {
     assertTrue(changes());
     assertFalse(look.show("devgame"));
     assertEquals("second one", action(), "the old look stays");
-    assertEquals(List.of("The game's own look failed, so it has the one before"), told);
+    String failed = "The game's own look failed, so it has the one before: ";
+    assertEquals(1, told.size());
+    assertTrue(
+        told.get(0).startsWith(failed + "java.lang.IllegalStateException, at "), told.get(0));
     assertFalse(look.show("devgame"), "it is told once");
     assertEquals(1, told.size());
     Files.writeString(games.resolve("dev.jar"), "no jar at all");
+    assertFalse(watch.look(), "it may be half written");
+    IOException broken = assertThrows(IOException.class, watch::look);
+    assertTrue(broken.getMessage().startsWith("dev.jar is no jar"), broken.getMessage());
+    assertFalse(watch.look(), "it is told once");
+    Files.delete(games.resolve("dev.jar"));
     assertTrue(changes());
     assertFalse(look.show("devgame"));
     assertEquals("second one", action());

@@ -136,6 +136,7 @@ export class Picture {
     this.ownPose = own?.pose;
     const look = this.look, players = shown.filter(d => d.kind.look === 'PLAYER' && d.body.owner >= 0 && d.body.owner < 1024);
     this.players = players;
+    this.marked = shown.filter(d => look?.marks?.includes(d.kind.name));
     const other = look?.camera.condition && own && look.number(world, look.camera.condition, match.player, own.body.id);
     this.follow(own?.pose, players.map(d => d.pose), other, seconds);
     const s = height / this.camera.height, [shiftX, shiftY] = this.sparks.shift(), time = nowMs / 1000;
@@ -202,6 +203,13 @@ export class Picture {
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     g.clearRect(0, 0, width, height);
     g.drawImage(this.map, 0, 0);
+    for (const d of this.marked || []) {
+      for (const [r, colour] of [[5.5, '#fff'], [4, hex(d.kind.rgb)]]) {
+        const x = scale * (d.pose[0] - minX), y = scale * (maxY - d.pose[1]);
+        g.fillStyle = colour;
+        g.beginPath(); g.moveTo(x - r, y); g.lineTo(x, y - r); g.lineTo(x + r, y); g.lineTo(x, y + r); g.fill();
+      }
+    }
     for (const d of this.players || []) {
       const own = d.body === this.world.own;
       for (const [radius, colour] of own ? [[4.5, '#fff'], [3, hex(this.colour(d))]] : [[3, hex(this.colour(d))]]) {

@@ -291,12 +291,17 @@ function ownLine(line, match, top, bars) {
   const look = picture.look, body = world.own?.id ?? -1, number = look.number(world, line.value, match.player, body);
   if (line.condition && !look.number(world, line.condition, match.player, body)) return;
   const id = {BOTTOM: 'barsMiddle', BOTTOM_RIGHT: 'barsRight'}[line.place] || 'bars', seconds = line.value.type === 'COUNTDOWN' ? number / tickRate : number;
-  const shown = line.kind === 'WORD' ? look.word(world, line.value, match.player, body) : line.kind === 'TIME' ? `${Math.ceil(seconds)} s` : Math.round(number);
+  const shown = line.kind === 'WORD' ? look.word(world, line.value, match.player, body) : line.kind === 'TIME' ? `${figure(line, seconds)} s` : figure(line, number);
   const text = `${line.label} ${shown}`;
   if (line.kind === 'BAR') bars.push({id, label: line.label, share: look.share(line.value, number), rgb: line.rgb});
   else if (line.kind === 'ICONS') bars.push({id, icon: look.from + line.label, count: Math.max(0, Math.min(12, Math.round(number)))});
   else if (line.place.startsWith('TOP')) top.push([null, text]);
   else bars.push({id, text});
+}
+
+/** Returns a number or a time as the look wants it; looks of older games have no scale. */
+function figure({kind, scale = 1, decimals = 0}, value) {
+  return decimals ? (scale * value).toFixed(decimals) : kind === 'TIME' ? Math.ceil(scale * value) : Math.round(scale * value);
 }
 
 function barNode({label, share, rgb, icon, count, text}) {
