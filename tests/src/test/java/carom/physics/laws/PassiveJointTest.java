@@ -14,10 +14,12 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Assemblies that made energy from nothing: a propeller, a torso with servos, a soft weld between
@@ -194,6 +196,74 @@ final class PassiveJointTest {
       heavy += load.mass() * 10;
     }
     assertPassive(w, 240, heavy * 4 * plank, "plank=" + plank + " ratio=" + ratio);
+  }
+
+  /**
+   * What pulls far outside of a body turns it more than it moves it. One got 53,000 times its own.
+   */
+  @Test
+  void chainsOfHingesFarOutsideGainNothing() {
+    for (long seed = 1; seed <= 200; seed++) {
+      Random r = new Random(seed);
+      World<String> w = world(0);
+      Body<String> before = null;
+      for (int i = 0; i < 4; i++) {
+        Body<String> next = plank(w, 0.1f, i, 3, 10, r);
+        if (before != null) {
+          float x = i + 4 * r.nextFloat() - 2.5f;
+          w.createJoint(JointDef.revolute(before, next, x, r.nextFloat() - 0.5f));
+        }
+        before = next;
+      }
+      assertPassive(w, 120, energy(w), "seed=" + seed);
+    }
+  }
+
+  /** Wheels that were off their lines had springs of another stiffness, and lost their momentum. */
+  @ParameterizedTest
+  @ValueSource(longs = {56, 73, 192, 250, 289, 387})
+  void wheelsThatFlyFarOffKeepTheirMomentum(long seed) {
+    Random r = new Random(seed);
+    World<String> w = world(0);
+    Body<String> before = null;
+    double scale = 0;
+    for (int i = 0; i < 5; i++) {
+      Body<String> next = plank(w, 0.1f + 0.4f * r.nextFloat(), i, i == 3 ? 1 : 30, 20, r);
+      if (before != null) {
+        float turn = 6 * r.nextFloat();
+        JointDef<String> wheel =
+            JointDef.wheel(before, next, i - r.nextFloat(), 0, Trig.cos(turn), Trig.sin(turn));
+        w.createJoint(wheel.spring(1 + 20 * r.nextFloat(), 0).motor(0, 100));
+      }
+      scale += next.mass() * Math.hypot(next.velocityX(), next.velocityY());
+      before = next;
+    }
+    double[] had = momentum(w);
+    for (int i = 0; i < 120; i++) {
+      w.step(DT);
+      double[] now = momentum(w);
+      assertEquals(had[0], now[0], 1e-4 * scale, "step=" + i);
+      assertEquals(had[1], now[1], 1e-4 * scale, "step=" + i);
+    }
+  }
+
+  private static Body<String> plank(
+      World<String> w, float halfX, float x, float density, float fast, Random r) {
+    Material material = material(density);
+    BodyDef def =
+        dynamic(x, 0).shape(new Box(halfX, 0.02f + 0.08f * r.nextFloat()), material, apart());
+    float vx = fast * (2 * r.nextFloat() - 1);
+    return w.createBody(def.velocity(vx, fast * (2 * r.nextFloat() - 1)), "plank");
+  }
+
+  private static double[] momentum(World<String> w) {
+    double[] sum = new double[2];
+    w.forEachBody(
+        b -> {
+          sum[0] += (double) b.mass() * b.velocityX();
+          sum[1] += (double) b.mass() * b.velocityY();
+        });
+    return sum;
   }
 
   /** What is carried along isn't passive: a trolley sets in motion what hangs on it. */

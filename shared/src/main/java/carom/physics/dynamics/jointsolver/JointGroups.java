@@ -52,9 +52,10 @@ import java.util.function.IntPredicate;
  *
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
- * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy. A plain group
- * that is held and turns fast, or touches far heavier bodies is compared at the step's end, as all
- * others are.
+ * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy. So are those
+ * with anchors far outside: of 1,000 such chains 12 made up to all of theirs. A plain group that is
+ * held and turns fast, or touches far heavier bodies is compared at the step's end, as all others
+ * are.
  *
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
@@ -93,6 +94,11 @@ final class JointGroups {
 
   /** Most ratio of the masses of a group that isn't watched. */
   private static final float EVEN = 4;
+
+  /**
+   * Most square of an anchor's distance from the centre, in those of a body's radius of gyration.
+   */
+  private static final float LONG = 32;
 
   /** Number of groups. */
   private int count;
@@ -311,6 +317,8 @@ final class JointGroups {
       int g = groupOfJoint(found[i]);
       boolean tree = trees.has(found[i]);
       isPlain[g] &= !tree && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
+      isPlain[g] &= !isFar(joints.bodyA[found[i]], j.anchorAx[found[i]], j.anchorAy[found[i]]);
+      isPlain[g] &= !isFar(joints.bodyB[found[i]], j.anchorBx[found[i]], j.anchorBy[found[i]]);
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
@@ -442,6 +450,18 @@ final class JointGroups {
     int one = joints.bodyA[joint];
     int two = joints.bodyB[joint];
     return (isMovable(one) && degree[one] > 2) || (isMovable(two) && degree[two] > 2);
+  }
+
+  /**
+   * Returns whether a force on an anchor, given in the frame of its body, turns more than moves.
+   */
+  private boolean isFar(int slot, float x, float y) {
+    if (!isMovable(slot)) {
+      return false;
+    }
+    float armX = x - bodies.localX[slot];
+    float armY = y - bodies.localY[slot];
+    return bodies.invInertia[slot] * (armX * armX + armY * armY) > LONG * bodies.invMass[slot];
   }
 
   private boolean isMovable(int slot) {

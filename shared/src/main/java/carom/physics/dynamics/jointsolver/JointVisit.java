@@ -619,15 +619,18 @@ final class JointVisit extends ConstraintRow {
   /**
    * Returns the mass by which a spring on the row has its stiffness. It mustn't change while bodies
    * turn: a stiffness that does makes energy. So an arm that turns against the row counts with half
-   * its square, the mean over a turn: both of a rod's, and that of a wheel.
+   * its square, the mean over a turn: both of a rod's, and that of a wheel. And the arms are those
+   * of the anchors, even where B is off its line: then the arm of the row changes with the length.
    */
   private float springMass(int slot) {
-    boolean rod = store.type[slot] == JointStore.DISTANCE;
-    if (!rod && store.type[slot] != JointStore.WHEEL) {
+    boolean wheel = store.type[slot] == JointStore.WHEEL;
+    boolean slider = store.type[slot] == JointStore.PRISMATIC;
+    if (!wheel && !slider && store.type[slot] != JointStore.DISTANCE) {
       return mass;
     }
-    float armA = rod ? 0.5f * (rAx * rAx + rAy * rAy) : sA * sA;
-    float armB = 0.5f * (rBx * rBx + rBy * rBy);
+    float along = rAx * uy - rAy * ux;
+    float armA = wheel || slider ? along * along : 0.5f * (rAx * rAx + rAy * rAy);
+    float armB = slider ? sB * sB : 0.5f * (rBx * rBx + rBy * rBy);
     float inverse = mA + mB + iA * armA + iB * armB;
     return inverse > 0 ? 1 / inverse : 0;
   }
