@@ -22,6 +22,7 @@ import carom.sim.level.Level;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
+import carom.sim.outbox.NextMatch;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -61,6 +62,9 @@ public final class GuardedGame implements Game {
 
   /** Answer to a player whose request made the game fail. */
   private static final String FAILED = "That is not possible now.";
+
+  private static final Question<Match, Object, Object, NextMatch> NEXT =
+      (game, s, nothing, none) -> Objects.requireNonNull(game.next(s), "next");
 
   private static final Question<Match, Entity, Object, Audience> AUDIENCE =
       (game, s, e, none) -> Objects.requireNonNull(game.audience(s, e), "audience");
@@ -238,6 +242,11 @@ public final class GuardedGame implements Game {
   @Override
   public void phase(Match s, MatchPhase now) {
     call("phase " + now.text(), s, null, now, (g, sim, none, phase) -> g.phase(sim, phase));
+  }
+
+  @Override
+  public NextMatch next(Match s) {
+    return ask("next", s, null, null, NEXT, NextMatch.OF_ROTATION);
   }
 
   @Override

@@ -1418,7 +1418,9 @@ public final class World<T> {
   public void refuseDuringQuery(String what) {
     if (querying) {
       throw new IllegalStateException(
-          what + " is not possible while a query or a collision filter runs");
+          what
+              + " is not possible while a query or a collision filter runs; remember what it finds,"
+              + " and change the world afterwards");
     }
   }
 }

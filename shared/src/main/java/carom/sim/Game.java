@@ -14,6 +14,7 @@ import carom.sim.level.Level;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
 import carom.sim.message.PlayerRole;
+import carom.sim.outbox.NextMatch;
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -163,6 +164,15 @@ public interface Game {
    * Role#AUTHORITY} only, before {@link #beforeStep}.
    */
   default void phase(Match m, MatchPhase now) {}
+
+  /**
+   * Returns what the room plays when the {@link #clock} has shown the result: what the clock names,
+   * unless the game chooses by how the match went, such as the next hole of a course; {@link
+   * Role#AUTHORITY} only.
+   */
+  default NextMatch next(Match m) {
+    return clock().next();
+  }
 
   /**
    * Handles a player who has joined, or a spectator who begins to play. It may give the player a

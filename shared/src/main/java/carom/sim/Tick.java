@@ -166,7 +166,7 @@ final class Tick {
       game.phase(simulation, begins);
     }
     if (clock.isDone(simulation, parts.players)) {
-      simulation.playNext(clock.next());
+      simulation.playNext(game.next(simulation));
     }
   }
 

@@ -197,7 +197,9 @@ final class CollisionFilterTest {
           String message =
               assertThrows(IllegalStateException.class, () -> w.destroyBody(other)).getMessage();
           assertEquals(
-              "destroyBody is not possible while a query or a collision filter runs", message);
+              "destroyBody is not possible while a query or a collision filter runs; remember what"
+                  + " it finds, and change the world afterwards",
+              message);
           assertThrows(IllegalStateException.class, () -> w.bodyAt(0, 0));
           assertThrows(IllegalStateException.class, other::refilter);
           return true;

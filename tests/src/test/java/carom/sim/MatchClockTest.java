@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 class MatchClockTest {
   private final List<String> told = new ArrayList<>();
   private MatchClock clock;
+  private NextMatch chosen;
 
   private final class ClockGame extends PlainGame {
     ClockGame() {
@@ -26,6 +27,11 @@ class MatchClockTest {
     @Override
     public MatchClock clock() {
       return clock;
+    }
+
+    @Override
+    public NextMatch next(Match m) {
+      return chosen == null ? super.next(m) : chosen;
     }
 
     @Override
@@ -110,6 +116,18 @@ class MatchClockTest {
     assertNull(s.outbox().takeNextMatch());
     run(s, 2);
     assertEquals(next, s.outbox().takeNextMatch());
+  }
+
+  @Test
+  void aGameChoosesWhatFollowsOnceTheResultWasShown() throws Exception {
+    SimulationHost s = start(MatchClock.playing(1).over(2), Role.AUTHORITY);
+    s.join("Ann");
+    run(s, 90);
+    chosen = NextMatch.level("hole2").keepingScores();
+    run(s, 90 - 1);
+    assertNull(s.outbox().takeNextMatch(), "the result is shown for 2 s");
+    run(s, 2);
+    assertEquals(chosen, s.outbox().takeNextMatch());
   }
 
   @Test

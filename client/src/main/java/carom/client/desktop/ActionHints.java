@@ -1,11 +1,13 @@
 package carom.client.desktop;
 
+import carom.client.desktop.KeyHints.Hint;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.menu.KeyMap;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.UiColours;
 import carom.client.look.Action;
+import carom.client.settings.KeyAction;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.Vector3;
 import java.util.ArrayList;
@@ -102,11 +104,46 @@ final class ActionHints {
         names.append(names.length() == 0 ? "" : " ").append(keys.first(binding));
       }
     }
-    for (String button : action.mouse()) {
-      names.append(names.length() == 0 ? "" : ", ");
-      names.append(button.equals("pointer") ? "mouse" : button + " click");
+    String mouse = mouseNames(action);
+    return names + (names.length() == 0 || mouse.isEmpty() ? "" : ", ") + mouse;
+  }
+
+  /** Returns all keys of the game's movements and actions, with the mouse's buttons. */
+  static List<Hint> all(KeyMap keys) {
+    List<Hint> hinted = new ArrayList<>();
+    if (keys.actions().stream()
+        .noneMatch(a -> a.kind() == Action.Kind.MOVE_X || a.kind() == Action.Kind.POINT)) {
+      hinted.add(usualMoves(keys));
     }
-    return names.toString();
+    for (Action action : keys.actions()) {
+      String mouse = mouseNames(action);
+      for (Action.Binding binding : action.bindings()) {
+        String names = keys.names(binding).isEmpty() ? "" : KeyMap.all(keys.names(binding));
+        String all = names.isEmpty() || mouse.isEmpty() ? names + mouse : names + ", " + mouse;
+        if (!all.isEmpty()) {
+          hinted.add(new Hint(all, binding.name()));
+        }
+      }
+    }
+    return hinted;
+  }
+
+  private static Hint usualMoves(KeyMap keys) {
+    String move =
+        String.join(
+            " ",
+            keys.first(KeyAction.UP),
+            keys.first(KeyAction.LEFT),
+            keys.first(KeyAction.DOWN),
+            keys.first(KeyAction.RIGHT));
+    return new Hint(move + ", pad", "move");
+  }
+
+  /** Returns how an action is done by the mouse; empty for one that isn't. */
+  private static String mouseNames(Action action) {
+    List<String> names = new ArrayList<>(action.mouse());
+    names.replaceAll(button -> button.equals("pointer") ? "mouse" : button + " click");
+    return String.join(", ", names);
   }
 
   private static String padNames(Action action) {

@@ -36,7 +36,6 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
@@ -294,17 +293,7 @@ final class GameScreen extends ScreenAdapter {
 
   /** Returns the keys of the game, the ones a newcomer needs first. */
   private List<Hint> keyHints() {
-    List<Hint> hinted = new ArrayList<>();
-    if (keys.actions().stream().noneMatch(a -> a.kind() == Action.Kind.MOVE_X)) {
-      hinted.add(usualMoves());
-    }
-    for (Action action : keys.actions()) {
-      for (Action.Binding binding : action.bindings()) {
-        if (!keys.names(binding).isEmpty()) {
-          hinted.add(new Hint(KeyMap.all(keys.names(binding)), binding.name()));
-        }
-      }
-    }
+    List<Hint> hinted = ActionHints.all(keys);
     if (keys.actions().isEmpty()) {
       hinted.add(new Hint(keys.first(KeyAction.MAIN) + ", click", KeyAction.MAIN.label()));
       hinted.add(
@@ -321,17 +310,6 @@ final class GameScreen extends ScreenAdapter {
             new Hint("F3", "net graph"),
             new Hint("Esc", escape == null ? "menu" : "back to the editor")));
     return hinted;
-  }
-
-  private Hint usualMoves() {
-    String move =
-        String.join(
-            " ",
-            keys.first(KeyAction.UP),
-            keys.first(KeyAction.LEFT),
-            keys.first(KeyAction.DOWN),
-            keys.first(KeyAction.RIGHT));
-    return new Hint(move + ", pad", "move");
   }
 
   @Override

@@ -74,7 +74,8 @@ final class Minimap {
       float dotY = y + scale * MathUtils.clamp(body.y(), bounds.minY(), bounds.maxY());
       if (look.setup().marks().contains(body.archetype().name())) {
         mark(dotX, dotY, body.archetype().appearance().rgb());
-      } else if (body.archetype().appearance().look() == Appearance.Look.PLAYER) {
+      } else if (body == view.own()
+          || body.archetype().appearance().look() == Appearance.Look.PLAYER) {
         if (body == view.own()) {
           canvas.disc(dotX, dotY, DOT + 1.5f, UiColours.TEXT);
         }

@@ -135,7 +135,7 @@ export class Picture {
     const own = shown.find(d => d.body === world.own);
     this.ownPose = own?.pose;
     const look = this.look, players = shown.filter(d => d.kind.look === 'PLAYER' && d.body.owner >= 0 && d.body.owner < 1024);
-    this.players = players;
+    this.dots = own && !players.includes(own) ? [...players, own] : players;
     this.marked = shown.filter(d => look?.marks?.includes(d.kind.name));
     const other = look?.camera.condition && own && look.number(world, look.camera.condition, match.player, own.body.id);
     this.follow(own?.pose, players.map(d => d.pose), other, seconds);
@@ -210,7 +210,7 @@ export class Picture {
         g.beginPath(); g.moveTo(x - r, y); g.lineTo(x, y - r); g.lineTo(x + r, y); g.lineTo(x, y + r); g.fill();
       }
     }
-    for (const d of this.players || []) {
+    for (const d of this.dots || []) {
       const own = d.body === this.world.own;
       for (const [radius, colour] of own ? [[4.5, '#fff'], [3, hex(this.colour(d))]] : [[3, hex(this.colour(d))]]) {
         g.fillStyle = colour;
