@@ -152,6 +152,51 @@ final class BotFarmTest {
     }
   }
 
+  /** A network whose client side counts the links that it opens. */
+  private static ClientTransport counting(InProcessNetwork network, int[] opened) {
+    ClientTransport inner = network.client();
+    return new ClientTransport() {
+      @Override
+      public Link connect(String host, int tcpPort, int udpPort) {
+        opened[0]++;
+        return inner.connect(host, tcpPort, udpPort);
+      }
+
+      @Override
+      public void close() {
+        inner.close();
+      }
+    };
+  }
+
+  /** Lets eight bots join a server that sleeps at first; returns for how long one was alone. */
+  private static long aloneNs(long asleepNs) throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    long[] now = {SECOND};
+    int[] opened = {0};
+    try (Server server = server(8, network, now);
+        BotFarm farm = farm(8, 0, counting(network, opened))) {
+      long aloneNs = 0;
+      for (int tick = 0; tick < asleepNs / SECOND * 60 + 90; tick++) {
+        now[0] += SECOND / 60;
+        if (now[0] - SECOND > asleepNs) {
+          server.tick(now[0]);
+        }
+        farm.update(now[0]);
+        aloneNs = opened[0] == 1 ? now[0] - SECOND : aloneNs;
+      }
+      assertEquals(8, farm.playing(), farm::problem);
+      assertEquals(8, opened[0]);
+      return aloneNs;
+    }
+  }
+
+  @Test
+  void theFirstBotGoesAheadUntilItHasSeenSomethingOrThreeSecondsHavePassed() throws Exception {
+    assertEquals(2.2, aloneNs(2 * SECOND) / 1e9, 0.2);
+    assertEquals(3, aloneNs(5 * SECOND) / 1e9, 0.04);
+  }
+
   @Test
   void whoHasPlayedLongEnoughLeavesAndComesBack() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
