@@ -1,6 +1,7 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -67,6 +68,9 @@ public final class Cast {
       float dy,
       float maxFraction,
       CastHit out) {
+    Limits.notNull("shape", shape);
+    Limits.notNull("t", t);
+    Limits.notNull("out", out);
     double rx = (double) x - t.x;
     double ry = (double) y - t.y;
     originX = t.cos * rx + t.sin * ry;
@@ -227,6 +231,8 @@ public final class Cast {
       Transform tb,
       float maxFraction,
       CastHit out) {
+    Core.checkPair(a, ta, b, tb);
+    Limits.notNull("out", out);
     coreA.place(a, ta, ta.x, ta.y);
     coreB.place(b, tb, ta.x, ta.y);
     double radii = coreA.radius + coreB.radius;

@@ -1,5 +1,7 @@
 package carom.physics.collision;
 
+import carom.physics.math.Limits;
+
 /** The point, normal and fraction at which a cast met a shape. Mutable and reused. */
 public final class CastHit {
   /** Fraction of the way at the first touch, from 0 to the cast's largest fraction. */
@@ -33,6 +35,7 @@ public final class CastHit {
 
   /** Copies {@code hit} and returns this. */
   public CastHit set(CastHit hit) {
+    Limits.notNull("hit", hit);
     return set(hit.fraction, hit.normalX, hit.normalY, hit.x, hit.y);
   }
 

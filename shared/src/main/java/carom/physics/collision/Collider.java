@@ -3,6 +3,7 @@ package carom.physics.collision;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -139,6 +140,8 @@ public final class Collider {
       float speculativeDistance,
       int startAt,
       Manifold out) {
+    Core.checkPair(a, ta, b, tb);
+    Limits.notNull("out", out);
     hint = startAt;
     ofCorners = false;
     if (!(a.isSimple() && b.isSimple())) {

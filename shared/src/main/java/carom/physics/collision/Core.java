@@ -1,6 +1,8 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -13,13 +15,23 @@ public final class Core {
   public int count;
   public double radius;
 
+  /** Refuses shapes or poses that are null. */
+  static void checkPair(Shape a, Transform ta, Shape b, Transform tb) {
+    Limits.notNull("a", a);
+    Limits.notNull("ta", ta);
+    Limits.notNull("b", b);
+    Limits.notNull("tb", tb);
+  }
+
   /** Copies a shape's vertices in world axes, relative to the point (originX, originY). */
   public void place(Convex shape, Transform t, double originX, double originY) {
+    Limits.notNull("t", t);
     place(shape, t.x - originX, t.y - originY, t.cos, t.sin);
   }
 
   /** Copies a shape's vertices, turned by (cos, sin) and moved by (dx, dy). */
   public void place(Convex shape, double dx, double dy, double cos, double sin) {
+    Limits.notNull("shape", shape);
     count = shape.vertexCount();
     radius = shape.radius();
     for (int i = 0; i < count; i++) {

@@ -1,6 +1,7 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -39,6 +40,8 @@ public final class Distance {
    * @return the gap in metres, 0 when they overlap or touch
    */
   public float between(Convex a, Transform ta, Convex b, Transform tb, ClosestPoints out) {
+    Core.checkPair(a, ta, b, tb);
+    Limits.notNull("out", out);
     coreA.place(a, ta, ta.x, ta.y);
     coreB.place(b, tb, ta.x, ta.y);
     return measure(out);
@@ -55,6 +58,9 @@ public final class Distance {
    * @return the distance in metres, 0 when the point is inside or on the border
    */
   public float toPoint(Convex a, Transform ta, float x, float y, ClosestPoints out) {
+    Limits.notNull("a", a);
+    Limits.notNull("ta", ta);
+    Limits.notNull("out", out);
     coreA.place(a, ta, ta.x, ta.y);
     coreB.point((double) x - ta.x, (double) y - ta.y);
     return measure(out);

@@ -1,5 +1,7 @@
 package carom.physics.collision;
 
+import carom.physics.math.Limits;
+
 /**
  * Measures the distance of two convex polygons by the algorithm of Gilbert, Johnson and Keerthi
  * (1988). It finds the closest point of the Minkowski difference B - A to the origin by walking
@@ -60,6 +62,8 @@ public final class Gjk {
 
   /** Searches for the closest points of two cores, and sets all results. */
   public void run(Core a, Core b) {
+    Limits.notNull("a", a);
+    Limits.notNull("b", b);
     count = 0;
     add(a, 0, b, 0);
     double size = Math.abs(wx[0]) + Math.abs(wy[0]);

@@ -1,5 +1,7 @@
 package carom.physics.collision;
 
+import carom.physics.math.Limits;
+
 /**
  * The place at which two convex shapes A and B touch or are about to: one normal and up to two
  * points.
@@ -74,6 +76,7 @@ public final class Manifold {
 
   /** Copies {@code m} and returns this. */
   public Manifold set(Manifold m) {
+    Limits.notNull("m", m);
     set(m.normalX, m.normalY, m.count);
     setPoint0(m.x0, m.y0, m.separation0, m.id0, m.otherId0);
     setPoint1(m.x1, m.y1, m.separation1, m.id1, m.otherId1);

@@ -32,6 +32,7 @@ public final class PointOfCollision {
    *     the point stays as it was
    */
   public boolean verticesInside(Convex a, Transform ta, Convex b, Transform tb) {
+    Core.checkPair(a, ta, b, tb);
     double sumX = 0;
     double sumY = 0;
     int count = 0;
@@ -65,6 +66,7 @@ public final class PointOfCollision {
    * @return false when the manifold has no point; the point stays as it was
    */
   public boolean deepest(Manifold m) {
+    Limits.notNull("m", m);
     if (m.count == 0) {
       return false;
     }
@@ -85,6 +87,7 @@ public final class PointOfCollision {
    * @return false when the manifold has no point; the point stays as it was
    */
   public boolean clippedMiddle(Manifold m) {
+    Limits.notNull("m", m);
     if (m.count == 0) {
       return false;
     }

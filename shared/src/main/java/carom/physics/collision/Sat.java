@@ -2,6 +2,7 @@ package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.List;
 
@@ -57,6 +58,8 @@ public final class Sat {
    * @return true when the shapes overlap; false when they are apart or only touch
    */
   public boolean mtv(Shape a, Transform ta, Shape b, Transform tb, Mtv out) {
+    Core.checkPair(a, ta, b, tb);
+    Limits.notNull("out", out);
     boolean swapped = compare(a, ta, b, tb) > 0;
     Shape first = swapped ? b : a;
     Shape second = swapped ? a : b;

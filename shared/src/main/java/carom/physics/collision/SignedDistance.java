@@ -1,6 +1,7 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 
 /**
  * The signed distance of a point to a convex shape, and the direction out of it. It is computed in
@@ -34,6 +35,7 @@ public final class SignedDistance {
    * @return {@link #distance}
    */
   public float measure(Convex shape, float x, float y) {
+    Limits.notNull("shape", shape);
     int count = shape.vertexCount();
     if (count == 1) {
       from(x - shape.vertexX(0), y - shape.vertexY(0), 0, 1);

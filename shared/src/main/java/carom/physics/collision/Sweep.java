@@ -1,5 +1,6 @@
 package carom.physics.collision;
 
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 
@@ -42,6 +43,7 @@ public final class Sweep {
    * @return this
    */
   public Sweep set(Transform start, float dx, float dy, float angleRad) {
+    Limits.notNull("start", start);
     x = start.x;
     y = start.y;
     cos = start.cos;
@@ -60,6 +62,8 @@ public final class Sweep {
    * @return this
    */
   public Sweep between(Transform start, Transform end) {
+    Limits.notNull("start", start);
+    Limits.notNull("end", end);
     float turn =
         Trig.atan2(
             start.cos * end.sin - start.sin * end.cos, start.cos * end.cos + start.sin * end.sin);
@@ -75,6 +79,7 @@ public final class Sweep {
    * @return this
    */
   public Sweep part(Sweep whole, float from, float to) {
+    Limits.notNull("whole", whole);
     float turn = from * whole.angleRad;
     float c = Trig.cos(turn);
     float s = Trig.sin(turn);
@@ -95,6 +100,7 @@ public final class Sweep {
    * @return this
    */
   public Sweep set(Sweep other) {
+    Limits.notNull("other", other);
     x = other.x;
     y = other.y;
     cos = other.cos;
@@ -112,6 +118,7 @@ public final class Sweep {
    * @param out receives the pose
    */
   public void at(float fraction, Transform out) {
+    Limits.notNull("out", out);
     float turn = fraction * angleRad;
     float c = Trig.cos(turn);
     float s = Trig.sin(turn);

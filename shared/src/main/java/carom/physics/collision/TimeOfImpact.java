@@ -1,6 +1,7 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 
 /**
@@ -229,6 +230,10 @@ public final class TimeOfImpact {
    * @throws IllegalArgumentException if the target is too small
    */
   public State find(Convex a, float inset, Sweep sa, Convex b, Sweep sb, float target) {
+    Limits.notNull("a", a);
+    Limits.notNull("sa", sa);
+    Limits.notNull("b", b);
+    Limits.notNull("sb", sb);
     if (!(target >= MIN_TARGET)) {
       throw new IllegalArgumentException(
           "target=" + target + " m must be >= " + MIN_TARGET + ": the search needs some room");

@@ -37,6 +37,7 @@ public final class Aabb {
 
   /** Copies {@code box}. Returns this. */
   public Aabb set(Aabb box) {
+    Limits.notNull("box", box);
     return set(box.minX, box.minY, box.maxX, box.maxY);
   }
 
@@ -56,6 +57,7 @@ public final class Aabb {
 
   /** Extends this box to hold {@code box}. Returns this. */
   public Aabb add(Aabb box) {
+    Limits.notNull("box", box);
     minX = Math.min(minX, box.minX);
     minY = Math.min(minY, box.minY);
     maxX = Math.max(maxX, box.maxX);
@@ -79,11 +81,13 @@ public final class Aabb {
 
   /** Returns true if the boxes share at least one point. */
   public boolean overlaps(Aabb box) {
+    Limits.notNull("box", box);
     return minX <= box.maxX && box.minX <= maxX && minY <= box.maxY && box.minY <= maxY;
   }
 
   /** Returns true if {@code box} lies inside this one, borders included. */
   public boolean contains(Aabb box) {
+    Limits.notNull("box", box);
     return minX <= box.minX && box.maxX <= maxX && minY <= box.minY && box.maxY <= maxY;
   }
 

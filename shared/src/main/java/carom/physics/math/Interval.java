@@ -41,6 +41,8 @@ public final class Interval {
       throw new IllegalArgumentException(
           "count=" + count + " must be >= 1: a projection needs a point");
     }
+    Limits.stretch("xs", Limits.notNull("xs", xs).length, 0, count);
+    Limits.stretch("ys", Limits.notNull("ys", ys).length, 0, count);
     float low = Float.POSITIVE_INFINITY;
     float high = Float.NEGATIVE_INFINITY;
     for (int i = 0; i < count; i++) {
@@ -63,11 +65,13 @@ public final class Interval {
 
   /** Returns whether another interval is a part of this one; equal ends count. */
   public boolean contains(Interval other) {
+    Limits.notNull("other", other);
     return min <= other.min && other.max <= max;
   }
 
   /** Returns the smallest interval that contains both, as a new one. */
   public Interval union(Interval other) {
+    Limits.notNull("other", other);
     return new Interval(Math.min(min, other.min), Math.max(max, other.max));
   }
 
@@ -77,6 +81,7 @@ public final class Interval {
    * @return null if they share nothing
    */
   public Interval intersection(Interval other) {
+    Limits.notNull("other", other);
     float low = Math.max(min, other.min);
     float high = Math.min(max, other.max);
     return low <= high ? new Interval(low, high) : null;
@@ -84,6 +89,7 @@ public final class Interval {
 
   /** Returns true if the intervals share at least one point; touching ends count. */
   public boolean overlaps(Interval other) {
+    Limits.notNull("other", other);
     return min <= other.max && other.min <= max;
   }
 
@@ -92,6 +98,7 @@ public final class Interval {
    * smallest translation that separates the intervals if negative.
    */
   public float separation(Interval other) {
+    Limits.notNull("other", other);
     return Math.max(other.min - max, min - other.max);
   }
 
@@ -103,6 +110,7 @@ public final class Interval {
    *     equal ways out, it is the one down.
    */
   public float mtv(Interval other) {
+    Limits.notNull("other", other);
     float down = max - other.min;
     float up = other.max - min;
     if (down <= 0 || up <= 0) {

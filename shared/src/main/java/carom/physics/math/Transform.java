@@ -53,6 +53,7 @@ public final class Transform {
 
   /** Copies {@code t}. Returns this. */
   public Transform set(Transform t) {
+    Limits.notNull("t", t);
     return set(t.x, t.y, t.cos, t.sin);
   }
 

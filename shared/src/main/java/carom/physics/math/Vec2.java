@@ -13,11 +13,13 @@ public record Vec2(float x, float y) {
 
   /** Returns the sum of this vector and {@code v}. */
   public Vec2 plus(Vec2 v) {
+    Limits.notNull("v", v);
     return new Vec2(x + v.x, y + v.y);
   }
 
   /** Returns this vector minus {@code v}, which leads from {@code v} to this point. */
   public Vec2 minus(Vec2 v) {
+    Limits.notNull("v", v);
     return new Vec2(x - v.x, y - v.y);
   }
 
@@ -36,6 +38,7 @@ public record Vec2(float x, float y) {
    * turn.
    */
   public float dot(Vec2 v) {
+    Limits.notNull("v", v);
     return x * v.x + y * v.y;
   }
 
@@ -44,6 +47,7 @@ public record Vec2(float x, float y) {
    * counter-clockwise of this vector.
    */
   public float cross(Vec2 v) {
+    Limits.notNull("v", v);
     return x * v.y - y * v.x;
   }
 

@@ -17,6 +17,20 @@ import carom.physics.ShapeDef;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.archive.ArchiveWriter;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
+import carom.physics.collision.ClosestPoints;
+import carom.physics.collision.Collider;
+import carom.physics.collision.Core;
+import carom.physics.collision.Distance;
+import carom.physics.collision.Gjk;
+import carom.physics.collision.Manifold;
+import carom.physics.collision.Mtv;
+import carom.physics.collision.PointOfCollision;
+import carom.physics.collision.Sat;
+import carom.physics.collision.SignedDistance;
+import carom.physics.collision.Sweep;
+import carom.physics.collision.TimeOfImpact;
 import carom.physics.effects.AreaEffect;
 import carom.physics.effects.Attractor;
 import carom.physics.effects.Buoyancy;
@@ -34,6 +48,8 @@ import carom.physics.geometry.MassData;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Aabb;
+import carom.physics.math.Interval;
+import carom.physics.math.SimRandom;
 import carom.physics.math.Transform;
 import carom.physics.math.Vec2;
 import carom.physics.mover.Mover;
@@ -69,8 +85,13 @@ import java.util.stream.Stream;
  * It makes wild calls, and tells its whole state as text.
  */
 final class WildWorld {
+  /**
+   * The packages of a program's calls. {@code broadphase} and {@code rows} stay out: theirs are
+   * kernels on arrays that their callers own, which say what they take and don't look.
+   */
   private static final List<String> PACKAGES =
-      List.of("", "mover/", "particles/", "effects/", "geometry/");
+      List.of("", "mover/", "particles/", "effects/", "geometry/", "collision/", "math/");
+
   private static final float[] FLOATS = {
     Float.NaN,
     Float.POSITIVE_INFINITY,
@@ -139,6 +160,10 @@ final class WildWorld {
     ExactRows astray = new ExactRows();
     astray.addBody(77);
     things.add(astray);
+    things.addAll(List.of(new Interval(), new SimRandom(1), new Cast(), new CastHit(), new Mtv()));
+    things.addAll(List.of(new ClosestPoints(), new Collider(), new Core(), new Distance()));
+    things.addAll(List.of(new Gjk(), new Manifold(), new PointOfCollision(), new Sat()));
+    things.addAll(List.of(new SignedDistance(), new Sweep(), new TimeOfImpact()));
     EventLists<String> lists = new EventLists<>();
     things.addAll(List.of(lists.begins(), lists.breaks()));
   }
