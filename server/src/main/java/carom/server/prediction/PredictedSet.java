@@ -4,6 +4,10 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.exact.RulingDelivery;
+import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.physics.BodyVisitor;
+import carom.physics.math.Aabb;
 import carom.sim.SimulationHost;
 import carom.sim.entity.HostEntity;
 import carom.sim.entity.HostPlayer;
@@ -38,6 +42,9 @@ import java.util.function.Predicate;
  * <p>Belongs to one session. The room's thread; allocates only to grow.
  */
 public final class PredictedSet {
+  /** Distance beyond a bullet's way within which something may have stopped it, m. */
+  private static final float BESIDE_M = 0.1f;
+
   private final SimulationHost simulation;
   private final int viewer;
   private final InterferenceLog interference;
@@ -60,6 +67,9 @@ public final class PredictedSet {
   private boolean hasOutsideCause;
   private boolean wasReached;
   private boolean hasHiddenCause;
+  private boolean outside;
+  private final Aabb box = new Aabb();
+  private final BodyVisitor<HostEntity> outsider = this::isInside;
 
   /** Changes of the match's fields, which rules read, at the last capture. */
   private long matchChanges;
@@ -245,7 +255,31 @@ public final class PredictedSet {
     matchChanges = ruled;
     boolean reached = state.cutJoints() > 0 || chooser.isReachedFromOutside();
     hasOutsideCause |= state.leaks() > 0 || reached || wasReached; // maybe until within this tick
+    hasOutsideCause |= meetsOutside();
     wasReached = reached;
+  }
+
+  /**
+   * Returns whether a chosen bullet is so near to a body which isn't among them that this one may
+   * have stopped it. A bullet that was stopped has no contact before the next step.
+   */
+  private boolean meetsOutside() {
+    outside = false;
+    for (int i = 0; i < chooser.chosen().count() && !outside; i++) {
+      Body<HostEntity> body = chooser.chosen().get(i).body();
+      if (body.isBullet() && body.awake()) {
+        float way = Math.abs(body.velocityX()) + Math.abs(body.velocityY());
+        body.aabb(box);
+        box.grow(BESIDE_M + way / simulation.tickRate());
+        simulation.world().queryAabb(box.minX, box.minY, box.maxX, box.maxY, outsider);
+      }
+    }
+    return outside;
+  }
+
+  private boolean isInside(Body<HostEntity> met) {
+    outside |= met.type() == BodyType.DYNAMIC && !chooser.isChosen(met.user().id());
+    return !outside;
   }
 
   private void relayInputs(HostPlayer player, OwnState out) {

@@ -7,6 +7,7 @@ import carom.client.bots.Bot;
 import carom.client.bots.BotBrain;
 import carom.client.bots.BotBrains;
 import carom.client.bots.Senses;
+import carom.client.view.ClientView;
 import carom.fixtures.PlainGame;
 import carom.game.arena.ArenaGame;
 import carom.options.NetworkConditions.Preset;
@@ -87,6 +88,64 @@ class GameTestTest {
 
     float speed(Simulation s, Player p, Input in) {
       return 5;
+    }
+  }
+
+  /** Breaks no rule: discs among bullets, which bodies stop that a client doesn't have. */
+  public static final class Pucks extends PlainGame {
+    private Archetype mallet;
+    private Archetype puck;
+
+    public Pucks() {
+      super("trial");
+    }
+
+    @Override
+    public void setUp(SetUp s) {
+      mallet =
+          s.archetype(
+              new ArchetypeDef("mallet")
+                  .shape(new Circle(0.8f), new Material(1, 0.1f, 0.9f))
+                  .fixedRotation(true));
+      puck =
+          s.archetype(
+              new ArchetypeDef("puck")
+                  .shape(new Circle(0.5f), new Material(0.3f, 0.05f, 0.95f))
+                  .bullet(true));
+    }
+
+    @Override
+    public void begin(Match m) {
+      for (int i = 0; i < 30; i++) {
+        m.spawn(puck, -9 + 0.6f * i, 6);
+      }
+    }
+
+    @Override
+    public void join(Match m, Player p) {
+      m.spawn(mallet, p.id() % 2 == 0 ? -8 : 8, 1.7f * (p.id() - 2), 0, p);
+    }
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {
+      p.entity().seekVelocity(14 * in.moveX(), 14 * in.moveY(), 14);
+    }
+  }
+
+  /** Goes to the nearest puck. */
+  private static final class Chaser implements BotBrain {
+    @Override
+    public String game() {
+      return "trial";
+    }
+
+    @Override
+    public void decide(Senses s, Input out) {
+      ClientView.Drawn puck = s.nearest("puck");
+      if (puck != null) {
+        float way = Math.max(0.01f, s.distance(puck));
+        out.move((puck.x() - s.own().x()) / way, (puck.y() - s.own().y()) / way);
+      }
     }
   }
 
@@ -302,6 +361,30 @@ class GameTestTest {
     GameReport report = test(Good::new);
     assertEquals(List.of(), report.broken());
     assertEquals(0, report.correctionsPerMinute(), report.text());
+  }
+
+  /** With seed 1 a bullet that was stopped was taken for a broken rule. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void aBulletThatIsStoppedByWhatAClientLacksBreaksNoRule(long seed) throws Exception {
+    String json =
+        """
+        {"name": "Rink", "game": "trial", "gravity": [0, 0],
+         "bounds": {"min": [-13, -8], "max": [13, 8]},
+         "statics": [
+          {"at": [0, -8], "shape": {"type": "box", "width": 24, "height": 1},
+           "repeat": {"rows": 2, "step": [0, 16]}},
+          {"at": [-11.5, 0], "shape": {"type": "box", "width": 1, "height": 16},
+           "repeat": {"columns": 2, "step": [23, 0]}}]}
+        """;
+    BotBrains.add(Chaser::new);
+    Level rink = Level.parse("rink.json", json.getBytes(StandardCharsets.UTF_8));
+    try {
+      GameReport report = GameTest.run(Pucks::new, rink, List.of(Preset.MOBILE), 4, 4, seed);
+      assertEquals(List.of(), report.broken(), report.text());
+    } finally {
+      BotBrains.remove("trial");
+    }
   }
 
   @Test
