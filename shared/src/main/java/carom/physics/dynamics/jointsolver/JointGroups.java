@@ -316,9 +316,7 @@ final class JointGroups {
     for (int i = 0; i < n; i++) {
       int g = groupOfJoint(found[i]);
       boolean tree = trees.has(found[i]);
-      isPlain[g] &= !tree && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
-      isPlain[g] &= !isFar(joints.bodyA[found[i]], j.anchorAx[found[i]], j.anchorAy[found[i]]);
-      isPlain[g] &= !isFar(joints.bodyB[found[i]], j.anchorBx[found[i]], j.anchorBy[found[i]]);
+      isPlain[g] = isPlain[g] && !tree && mayBePlain(found[i]); // once per step and joint
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
@@ -450,6 +448,12 @@ final class JointGroups {
     int one = joints.bodyA[joint];
     int two = joints.bodyB[joint];
     return (isMovable(one) && degree[one] > 2) || (isMovable(two) && degree[two] > 2);
+  }
+
+  private boolean mayBePlain(int joint) {
+    return (joints.isPlainHinge(joint) || joints.isRod(joint))
+        && !isFar(joints.bodyA[joint], joints.anchorAx[joint], joints.anchorAy[joint])
+        && !isFar(joints.bodyB[joint], joints.anchorBx[joint], joints.anchorBy[joint]);
   }
 
   /**
