@@ -50,7 +50,7 @@ final class DeterminismTest {
       SLEEPERS aa7f40b706d7e41 c90edec9f1e4b853
       EDITS d88422a1d781f88e 58b2f4689b876316
       WATER 8004d870e5eea31d 499deec80b09dece
-      EULER c261b579e9b35d58 7637076c528c2b21
+      EULER 5f8e94cf45f64eff 7637076c528c2b21
       """;
 
   /** The same process once more, now with compiled code. */

@@ -94,6 +94,19 @@ public final class AxisLocks {
     return alongX * (nx * nx) + alongY * (ny * ny);
   }
 
+  /**
+   * Returns by how much an impulse along a unit vector n moves two bodies apart along t = (-ny,
+   * nx), and one along t along n: t M^-1 n, 1/kg. 0 without locks, and where n is along an axis.
+   */
+  public float coupling(int a, float massA, int b, float massB, float nx, float ny) {
+    if (!isEither(a, b)) {
+      return 0;
+    }
+    float alongX = along(a, massA, BodyStore.LOCK_X) + along(b, massB, BodyStore.LOCK_X);
+    float alongY = along(a, massA, BodyStore.LOCK_Y) + along(b, massB, BodyStore.LOCK_Y);
+    return (alongY - alongX) * (nx * ny);
+  }
+
   private float along(int slot, float mass, int axis) {
     return isLocked(slot, axis) ? 0 : mass;
   }

@@ -53,9 +53,9 @@ import java.util.function.IntPredicate;
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
  * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy. So are those
- * with anchors far outside: of 1,000 such chains 12 made up to all of theirs. A plain group that is
- * held and turns fast, or touches far heavier bodies is compared at the step's end, as all others
- * are.
+ * that fly with anchors far outside: of 1,000 such chains 12 made up to all of theirs. A plain
+ * group that is held and turns fast, or touches far heavier bodies is compared at the step's end,
+ * as all others are.
  *
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
@@ -154,6 +154,9 @@ final class JointGroups {
 
   /** Per group: whether it is a chain or net of hinges and rods that no tree solves. */
   private boolean[] isPlain = new boolean[0];
+
+  /** Whether a group that may be plain has an anchor far outside of a body. */
+  private boolean[] isLong = new boolean[0];
 
   /** Per group: whether a body has more than two joints. */
   private boolean[] crowded = new boolean[0];
@@ -297,6 +300,7 @@ final class JointGroups {
     for (int i = 0; i < bodyCount; i++) {
       if (leader[body[i]] == body[i]) {
         isPlain[count] = true;
+        isLong[count] = false;
         crowded[count] = false;
         jointsOf[count] = 0;
         hasTree[count] = false;
@@ -316,7 +320,8 @@ final class JointGroups {
     for (int i = 0; i < n; i++) {
       int g = groupOfJoint(found[i]);
       boolean tree = trees.has(found[i]);
-      isPlain[g] = isPlain[g] && !tree && mayBePlain(found[i]); // once per step and joint
+      isPlain[g] &= !tree && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
+      isLong[g] |= isPlain[g] && isLong(found[i]);
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
@@ -331,6 +336,7 @@ final class JointGroups {
     for (int g = 0; g < count; g++) {
       isPlain[g] &= !crowded[g] || jointsOf[g] >= 0;
       isPlain[g] &= lightest[g] <= EVEN * heaviest[g];
+      isPlain[g] &= !(isLong[g] && isFree[g]); // a held one is a pendulum
     }
     sortBodies();
   }
@@ -367,6 +373,7 @@ final class JointGroups {
   private void ensureGroups(int capacity) {
     start = new int[capacity + 1];
     isPlain = new boolean[capacity];
+    isLong = new boolean[capacity];
     crowded = new boolean[capacity];
     jointsOf = new float[capacity];
     lightest = new float[capacity];
@@ -450,10 +457,9 @@ final class JointGroups {
     return (isMovable(one) && degree[one] > 2) || (isMovable(two) && degree[two] > 2);
   }
 
-  private boolean mayBePlain(int joint) {
-    return (joints.isPlainHinge(joint) || joints.isRod(joint))
-        && !isFar(joints.bodyA[joint], joints.anchorAx[joint], joints.anchorAy[joint])
-        && !isFar(joints.bodyB[joint], joints.anchorBx[joint], joints.anchorBy[joint]);
+  private boolean isLong(int joint) {
+    return isFar(joints.bodyA[joint], joints.anchorAx[joint], joints.anchorAy[joint])
+        || isFar(joints.bodyB[joint], joints.anchorBx[joint], joints.anchorBy[joint]);
   }
 
   /**

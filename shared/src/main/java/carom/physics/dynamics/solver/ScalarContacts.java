@@ -88,6 +88,17 @@ final class ScalarContacts {
     return locks.inverseMasses(a, massA, b, massB, x, y);
   }
 
+  /**
+   * Returns the speed along the normal that friction gives the bodies of a contact, for each unit
+   * of its impulse, and the normal's impulse along the tangent; 0 where no axis is locked, 1/kg.
+   */
+  private float coupling(int lane, int at) {
+    float[] d = blocks.data;
+    int a = blocks.bodyA[lane] / STRIDE;
+    int b = blocks.bodyB[lane] / STRIDE;
+    return locks.coupling(a, d[at + MASS_A], b, d[at + MASS_B], d[at + NX], d[at + NY]);
+  }
+
   /** Applies the impulses that a contact starts with. */
   void warmStart(int block, int i) {
     float[] d = blocks.data;
@@ -136,6 +147,7 @@ final class ScalarContacts {
     float wa = v[a + W];
     float wb = v[b + W];
     float across = inverseMasses(lane, at, -ny, nx);
+    float coupling = coupling(lane, at);
     float inertiaA = d[at + INERTIA_A];
     float inertiaB = d[at + INERTIA_B];
     int trait = blocks.traits[block];
@@ -159,6 +171,7 @@ final class ScalarContacts {
     float old = d[p + NORMAL_IMPULSE];
     float normal;
     if ((trait & TWO) == 0) {
+      normalSpeed += coupling != 0 ? coupling * tangent : 0;
       normal =
           solveNormal(
                   p, normalSpeed, wa, wb, bias(block, i, FIRST, gap, rate), gap > 0 ? 0 : softness)
@@ -171,6 +184,7 @@ final class ScalarContacts {
       wa -= inertiaA * (d[q + TANGENT_ARM_A] * change);
       wb += inertiaB * (d[q + TANGENT_ARM_B] * change);
       tangent += change;
+      normalSpeed += coupling != 0 ? coupling * tangent : 0;
       float gap2 = d[q + GAP];
       float soft1 = gap > 0 ? 0 : softness;
       float soft2 = gap2 > 0 ? 0 : softness;
@@ -211,6 +225,7 @@ final class ScalarContacts {
     float wa = v[a + W];
     float wb = v[b + W];
     float across = inverseMasses(lane, at, -ny, nx);
+    float coupling = coupling(lane, at);
     float inertiaA = d[at + INERTIA_A];
     float inertiaB = d[at + INERTIA_B];
     int trait = blocks.traits[block];
@@ -241,6 +256,7 @@ final class ScalarContacts {
       wb += inertiaB * (d[p + NORMAL_ARM_B] * normal + d[q + NORMAL_ARM_B] * normal2);
       normal += normal2;
     }
+    tangentSpeed += coupling != 0 ? coupling * normal : 0;
     float change = solveFriction(at, p, tangentSpeed, wa, wb);
     tangentSpeed += across * change;
     wa -= inertiaA * (d[p + TANGENT_ARM_A] * change);
@@ -319,6 +335,25 @@ final class ScalarContacts {
     return sum - old;
   }
 
+  /**
+   * Returns the share of a push that contacts of locked bodies take. A body that can only slide
+   * past a slight slope would have to go far and fast to get out of the overlap; so it goes as fast
+   * as it would be pushed without locks.
+   *
+   * @return 1 where no axis is locked
+   */
+  private float share(int block, int i) {
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    float[] d = blocks.data;
+    if (!locks.isEither(blocks.bodyA[lane] / STRIDE, blocks.bodyB[lane] / STRIDE)) {
+      return 1;
+    }
+    float free = d[at + MASS_A] + d[at + MASS_B];
+    float locked = inverseMasses(lane, at, d[at + NX], d[at + NY]);
+    return free > 0 ? (float) Math.sqrt(locked / free) : 1;
+  }
+
   /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
   float bias(int block, int i, int point, float gap, float rate) {
     if (gap > 0) {
@@ -326,7 +361,7 @@ final class ScalarContacts {
     }
     float overlap = gap + solver.slop;
     float apart = rate * (overlap < 0 ? overlap : 0);
-    float bias = apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
+    float bias = (apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed) * share(block, i);
     return solver.isFree(block, i) ? freeBias(block * LANES + i, point, bias, false) : bias;
   }
 
