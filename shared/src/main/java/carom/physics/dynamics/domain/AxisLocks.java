@@ -107,6 +107,11 @@ public final class AxisLocks {
     return (alongY - alongX) * (nx * ny);
   }
 
+  /** Returns the share of a unit vector's square that lies along axes of a body that are free. */
+  public float freedom(int slot, float nx, float ny) {
+    return along(slot, nx * nx, BodyStore.LOCK_X) + along(slot, ny * ny, BodyStore.LOCK_Y);
+  }
+
   private float along(int slot, float mass, int axis) {
     return isLocked(slot, axis) ? 0 : mass;
   }

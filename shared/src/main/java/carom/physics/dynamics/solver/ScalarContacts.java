@@ -171,7 +171,9 @@ final class ScalarContacts {
     float old = d[p + NORMAL_IMPULSE];
     float normal;
     if ((trait & TWO) == 0) {
-      normalSpeed += coupling != 0 ? coupling * tangent : 0;
+      if (coupling != 0) { // else -0 would become 0
+        normalSpeed += coupling * tangent;
+      }
       normal =
           solveNormal(
                   p, normalSpeed, wa, wb, bias(block, i, FIRST, gap, rate), gap > 0 ? 0 : softness)
@@ -184,7 +186,9 @@ final class ScalarContacts {
       wa -= inertiaA * (d[q + TANGENT_ARM_A] * change);
       wb += inertiaB * (d[q + TANGENT_ARM_B] * change);
       tangent += change;
-      normalSpeed += coupling != 0 ? coupling * tangent : 0;
+      if (coupling != 0) { // else -0 would become 0
+        normalSpeed += coupling * tangent;
+      }
       float gap2 = d[q + GAP];
       float soft1 = gap > 0 ? 0 : softness;
       float soft2 = gap2 > 0 ? 0 : softness;
@@ -256,7 +260,9 @@ final class ScalarContacts {
       wb += inertiaB * (d[p + NORMAL_ARM_B] * normal + d[q + NORMAL_ARM_B] * normal2);
       normal += normal2;
     }
-    tangentSpeed += coupling != 0 ? coupling * normal : 0;
+    if (coupling != 0) { // else -0 would become 0
+      tangentSpeed += coupling * normal;
+    }
     float change = solveFriction(at, p, tangentSpeed, wa, wb);
     tangentSpeed += across * change;
     wa -= inertiaA * (d[p + TANGENT_ARM_A] * change);
@@ -349,9 +355,13 @@ final class ScalarContacts {
     if (!locks.isEither(blocks.bodyA[lane] / STRIDE, blocks.bodyB[lane] / STRIDE)) {
       return 1;
     }
-    float free = d[at + MASS_A] + d[at + MASS_B];
-    float locked = inverseMasses(lane, at, d[at + NX], d[at + NY]);
-    return free > 0 ? (float) Math.sqrt(locked / free) : 1;
+    float share = locks.freedom(blocks.bodyA[lane] / STRIDE, d[at + NX], d[at + NY]);
+    share = d[at + MASS_A] > 0 ? share : 0;
+    if (d[at + MASS_B] > 0) {
+      int b = blocks.bodyB[lane] / STRIDE;
+      share = Math.max(share, locks.freedom(b, d[at + NX], d[at + NY]));
+    }
+    return (float) Math.sqrt(share);
   }
 
   /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
