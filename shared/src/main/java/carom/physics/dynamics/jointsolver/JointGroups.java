@@ -155,7 +155,7 @@ final class JointGroups {
   /** Per group: whether it is a chain or net of hinges and rods that no tree solves. */
   private boolean[] isPlain = new boolean[0];
 
-  /** Whether a group that may be plain has an anchor far outside of a body. */
+  /** True for a group that may be plain and has an anchor far outside of a body. */
   private boolean[] isLong = new boolean[0];
 
   /** Per group: whether a body has more than two joints. */
