@@ -25,13 +25,15 @@ class LockedJamTest {
   private static final double MOST = 60;
 
   private static Body<String> box(World<String> world, Random random, int place) {
+    int column = place % 3;
+    int row = place / 3;
     BodyType type = BodyType.DYNAMIC;
     if (random.nextInt(4) == 0) {
       type = random.nextBoolean() ? BodyType.KINEMATIC : BodyType.STATIC;
     }
     BodyDef def =
         new BodyDef(type)
-            .position(place % 3 - 1 + near(random, 0.02f), place / 3 * 0.5f + near(random, 0.02f))
+            .position(column - 1 + near(random, 0.02f), 0.5f * row + near(random, 0.02f))
             .angle(near(random, 0.04f))
             .shape(new Box(0.5f, 0.25f));
     if (type == BodyType.DYNAMIC && random.nextBoolean()) {
