@@ -7,6 +7,7 @@ import carom.server.session.Ownership;
 import java.io.IOException;
 import java.util.Collection;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -32,6 +33,12 @@ final class Claims {
 
     /** Lease of the server that follows the room, 0 for none. */
     long follower;
+
+    /** Secrets of the sessions whose clients stand by at the follower; any thread. */
+    final Set<Long> standbys = ConcurrentHashMap.newKeySet();
+
+    /** Since when the room could move, but for its clients, ns; 0 for not yet. */
+    long gathersNs;
 
     /** When the follower could go on with the room last, ns. */
     long followedNs;

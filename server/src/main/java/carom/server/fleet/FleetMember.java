@@ -115,6 +115,7 @@ public final class FleetMember implements AutoCloseable {
             following,
             returning,
             asks,
+            this::tell,
             this::lookersChanged);
     announcer = new Announcer(this.directory, settings, clock, lease, claims, view, placement);
     figures =
@@ -134,6 +135,10 @@ public final class FleetMember implements AutoCloseable {
     return new Peers.Inbox() {
       @Override
       public void take(long server, PeerFrame frame) throws IOException {
+        if (frame.kind() == PeerFrame.Kind.STANDS_BY) {
+          standsBy(server, frame);
+          return;
+        }
         following.take(server, frame);
         if (frame.kind() == PeerFrame.Kind.HAND_OVER) {
           changed.run();
@@ -200,6 +205,23 @@ public final class FleetMember implements AutoCloseable {
   /** Returns what shows the rest of the fleet to lobby and rooms. */
   public FleetDoor door() {
     return placement;
+  }
+
+  /** Learns that a client of one of this server's rooms stands by at another server. */
+  private void standsBy(long server, PeerFrame frame) {
+    Claims.Claim claim = claims.of(frame.room());
+    if (claim != null && claim.follower == server) {
+      claim.standbys.add(frame.number());
+      changed.run();
+    }
+  }
+
+  private void tell(long server, PeerFrame frame) {
+    try {
+      peers.send(server, frame);
+    } catch (IOException e) {
+      LOG.debug("fleet: {}", e.getMessage());
+    }
   }
 
   private void lookersChanged() {
@@ -334,8 +356,7 @@ public final class FleetMember implements AutoCloseable {
 
   /** Sets whose rooms these are. */
   public void serves(RoomHost newHost) {
-    followers =
-        new Followers(claims, view, peers, newHost, lease, settings.durability(), asks, news);
+    followers = new Followers(claims, view, peers, newHost, lease, settings, asks, news);
     takeovers =
         new Takeovers(
             claims, view, following, newHost, lease, clock, asks, builds, returning, changed, news);
@@ -593,9 +614,16 @@ public final class FleetMember implements AutoCloseable {
     return draining;
   }
 
-  /** Returns whether no room of this server moves any longer: all are gone, or none can go. */
+  /**
+   * Returns whether the fleet can do without this server: its rooms are gone, or none can go, and
+   * it follows none of the others' as they tell.
+   */
   public boolean isDrained() {
-    return claims.all().isEmpty()
+    boolean isNeeded =
+        !claims.all().isEmpty()
+            || view.rooms().values().stream()
+                .anyMatch(room -> room.record().follower() == lease.number());
+    return !isNeeded
         || view.servers().values().stream()
             .noneMatch(server -> server.takesRoomsOf(lease.number()));
   }

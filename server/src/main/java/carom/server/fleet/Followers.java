@@ -9,8 +9,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import org.slf4j.Logger;
@@ -38,14 +40,29 @@ final class Followers implements AutoCloseable {
   private final Peers peers;
   private final RoomHost host;
   private final Lease lease;
-  private final Durability durability;
+  private final FleetSettings settings;
   private final Executor asks;
   private final FleetNews news;
+
+  /** Longest time for which a room that moves waits for its clients to stand by there, ns. */
+  private static final long GATHER_NS = 5_000_000_000L;
+
+  /** Time in which one room in {@link #FINDS} finds a follower, ns. */
+  private static final long FIND_NS = 50_000_000;
+
+  private static final int FINDS = 20;
+
   private String moving; // a room on its way to another server, or null
   private long movingNs;
 
   /** Rooms that each server owns and follows, as counted in the present turn; null before. */
   private Map<Long, Integer> burdens;
+
+  /** Servers that own rooms in which people play, as seen in the present turn; null before. */
+  private Set<Long> played;
+
+  private long findsNs; // begin of the present time in which rooms find followers
+  private int found; // rooms in it
 
   private final Map<Long, SlotDisk> disks = new ConcurrentHashMap<>();
 
@@ -55,7 +72,7 @@ final class Followers implements AutoCloseable {
       Peers peers,
       RoomHost host,
       Lease lease,
-      Durability durability,
+      FleetSettings settings,
       Executor asks,
       FleetNews news) {
     this.claims = claims;
@@ -63,7 +80,7 @@ final class Followers implements AutoCloseable {
     this.peers = peers;
     this.host = host;
     this.lease = lease;
-    this.durability = durability;
+    this.settings = settings;
     this.asks = asks;
     this.news = news;
   }
@@ -75,6 +92,7 @@ final class Followers implements AutoCloseable {
    */
   void turn(Map<String, FleetRoom> rooms, boolean draining, long nowNs) {
     burdens = null;
+    played = null;
     for (ServerRecord server : view.servers().values()) {
       if (server.lease() != lease.number()) {
         peers.reach(server);
@@ -106,7 +124,9 @@ final class Followers implements AutoCloseable {
         claim.movesTo = 0; // that server is gone
       }
       if (claim.movesTo != 0 && claim.follower == claim.movesTo && room.isFollowed()) {
-        if (!onItsWay && (players(room) > 0 || !(draining && crowded))) {
+        if (!onItsWay
+            && (players(room) > 0 || !(draining && crowded))
+            && isGathered(claim, room, nowNs)) {
           handOver(claim, room);
           onItsWay = players(room) > 0;
           moving = onItsWay ? claim.room() : moving;
@@ -116,6 +136,17 @@ final class Followers implements AutoCloseable {
       }
       findFollower(claim, room, nowNs);
     }
+  }
+
+  /**
+   * Returns whether the clients of a room that moves stand by where it goes, so that it can speak
+   * to them at once; or have had their time.
+   */
+  private static boolean isGathered(Claims.Claim claim, FleetRoom room, long nowNs) {
+    if (claim.gathersNs == 0) {
+      claim.gathersNs = nowNs;
+    }
+    return nowNs - claim.gathersNs > GATHER_NS || room.countWithout(claim.standbys) == 0;
   }
 
   private static int players(FleetRoom room) {
@@ -147,7 +178,7 @@ final class Followers implements AutoCloseable {
       }
       return;
     }
-    if (durability == Durability.NONE) {
+    if (settings.durability() == Durability.NONE) {
       follow(claim, room, null);
       return;
     }
@@ -166,9 +197,37 @@ final class Followers implements AutoCloseable {
             present.name());
         follow(claim, room, other);
       }
-    } else if (!reached || present.draining()) {
+    } else if ((!reached || isLeaving(present)) && mayFind(nowNs)) {
       follow(claim, room, best(claim, burdens()));
     }
+  }
+
+  /**
+   * Returns whether a server that drains has handed its rooms over. Not before: all clients of the
+   * rooms that it follows go on to stand by elsewhere, and those of its rooms would wait for them.
+   */
+  private boolean isLeaving(ServerRecord server) {
+    if (server.draining() && played == null) {
+      played = new HashSet<>();
+      for (FleetView.OwnedRoom room : view.rooms().values()) {
+        if (room.record().entry().players() > 0) {
+          played.add(room.record().server());
+        }
+      }
+    }
+    return server.draining() && !played.contains(server.lease());
+  }
+
+  /**
+   * Returns whether another room may find a follower now: within a second all do, one after the
+   * other, because the clients of each open a link to it.
+   */
+  private boolean mayFind(long nowNs) {
+    if (nowNs - findsNs >= FIND_NS) {
+      findsNs = nowNs;
+      found = 0;
+    }
+    return ++found <= 1 + claims.all().size() / FINDS;
   }
 
   /** Lets a server follow a room, or nobody. */
@@ -184,6 +243,8 @@ final class Followers implements AutoCloseable {
     end(claim);
     burdens().merge(claim.follower, -1, Integer::sum);
     burdens().merge(server.lease(), 1, Integer::sum);
+    claim.standbys.clear();
+    claim.gathersNs = 0;
     claim.follower = server.lease();
     claim.unasked = false;
     byte[] record = claim.told.getBytes(StandardCharsets.UTF_8);
@@ -192,7 +253,10 @@ final class Followers implements AutoCloseable {
         disks.computeIfAbsent(server.lease(), number -> disk(room.tickRateHz(), server));
     disk.write(() -> claim.unasked = !tell(server.lease(), ask));
     room.followedBy(
-        disk, peers.journal(server, claim.room()), STATE_S, durability == Durability.SYNC);
+        disk,
+        peers.journal(server, claim.room()),
+        STATE_S,
+        settings.durability() == Durability.SYNC);
   }
 
   /** Ends that the present follower follows a room. */
@@ -339,6 +403,10 @@ final class Followers implements AutoCloseable {
       claims.release(claim);
       LOG.info("moved room={} tick={}", claim.room(), room.tick());
       news.movedOut(claim.room(), view.nameOf(to));
+      ServerRecord server = view.servers().get(to);
+      if (server != null) { // not before it owns the room: their way is short
+        room.sendOn(server.move(settings.fingerprint(), claim.room(), ""), claim.standbys);
+      }
     } catch (DirectoryException e) {
       LOG.error("room={} is released when the lease ends: {}", claim.room(), e.getMessage());
     }

@@ -117,6 +117,18 @@ final class Following {
     return followed != null && followed.mirror.knows(secret);
   }
 
+  /** Returns whether the owner has given a followed room up for this server. */
+  boolean isHandedOver(String room) {
+    Followed followed = rooms.get(room);
+    return followed != null && followed.handedOver;
+  }
+
+  /** Returns the lease of a followed room's owner, 0 for none. */
+  long ownerOf(String room) {
+    Followed followed = rooms.get(room);
+    return followed == null ? 0 : followed.owner;
+  }
+
   /** Returns a followed room from which this server can go on, or null. */
   Followed usable(String room) {
     Followed followed = rooms.get(room);

@@ -36,6 +36,8 @@ public record PeerFrame(Kind kind, long number, String room, int step, int slot,
     DONE,
     /** Says that a room isn't followed by the receiver any longer. */
     END,
+    /** Tells a room's owner that the client of a session stands by: number is its secret. */
+    STANDS_BY,
     /** Says that the sender gives up a room for the receiver, who has its whole journal. */
     HAND_OVER,
     /** A line of an operator, who has the key and no lease; {@link #ANSWER} follows. */

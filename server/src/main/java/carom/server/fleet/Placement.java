@@ -15,6 +15,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
 import java.util.concurrent.FutureTask;
+import java.util.function.BiConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -32,6 +33,7 @@ final class Placement implements FleetDoor {
   private final Following following;
   private final Set<String> returning;
   private final Executor asks;
+  private final BiConsumer<Long, PeerFrame> tells;
   private final Runnable lookersChanged;
   private final Tickets tickets;
   private final Parties parties;
@@ -47,7 +49,8 @@ final class Placement implements FleetDoor {
    * Creates an object that sends nobody anywhere yet.
    *
    * @param returning live names of rooms with which this server is about to go on
-   * @param asks runs what waits for the directory; may run it at once
+   * @param asks runs what waits for the directory or a server; may run it at once
+   * @param tells tells a server something, if it can
    * @param lookersChanged told when {@link #lookers} changes; any thread, returns at once
    */
   Placement(
@@ -58,6 +61,7 @@ final class Placement implements FleetDoor {
       Following following,
       Set<String> returning,
       Executor asks,
+      BiConsumer<Long, PeerFrame> tells,
       Runnable lookersChanged) {
     this.directory = directory;
     this.settings = settings;
@@ -66,6 +70,7 @@ final class Placement implements FleetDoor {
     this.following = following;
     this.returning = returning;
     this.asks = asks;
+    this.tells = tells;
     this.lookersChanged = lookersChanged;
     tickets = new Tickets(directory);
     parties = new Parties(directory);
@@ -199,12 +204,21 @@ final class Placement implements FleetDoor {
 
   @Override
   public boolean mayComeBack(String room) {
-    return view.orphans().containsKey(room) || returning.contains(room);
+    return view.orphans().containsKey(room)
+        || returning.contains(room)
+        || following.isHandedOver(room);
   }
 
   @Override
   public boolean follows(String room, long secret) {
     return following.knows(room, secret);
+  }
+
+  @Override
+  public void standsBy(String room, long secret) {
+    long owner = following.ownerOf(room);
+    PeerFrame word = PeerFrame.of(PeerFrame.Kind.STANDS_BY, secret, room, new byte[0]);
+    asks.execute(() -> tells.accept(owner, word));
   }
 
   @Override
@@ -225,7 +239,7 @@ final class Placement implements FleetDoor {
           }
           String ticket = tickets.make(to.server(), guest);
           return door == Link.Door.OWN
-              ? new ServerMessage.Move(server.address(), settings.fingerprint(), to.room(), ticket)
+              ? server.move(settings.fingerprint(), to.room(), ticket)
               : server.redirect(door, to.room(), ticket);
         });
   }

@@ -71,6 +71,16 @@ public record ServerRecord(
     return there.isEmpty() ? null : new ServerMessage.Redirect(there, "", room, ticket);
   }
 
+  /**
+   * Returns what sends a client of Carom here.
+   *
+   * @param fingerprint of the fleet's key
+   * @param ticket as above
+   */
+  ServerMessage.Move move(String fingerprint, String room, String ticket) {
+    return new ServerMessage.Move(address(), fingerprint, room, ticket);
+  }
+
   /** Returns the host of {@link #peer}. */
   String peerHost() {
     String host = peer.substring(0, Math.max(0, peer.lastIndexOf(':')));

@@ -513,12 +513,17 @@ final class Visitor implements LinkHandler, Entrance.Guest {
     if (!requireThisBuild(request.protocolVersion(), request.physicsDigest())) {
       return;
     }
-    if (!directory.fleet().follows(request.room(), request.secret())) {
+    FleetDoor fleet = directory.fleet();
+    boolean isFollowed = fleet.follows(request.room(), request.secret());
+    if (!isFollowed && chooser.expecting(request.secret()) == null) { // it may be here by now
       refuse(RefusalReason.ROOM_UNKNOWN, "This server doesn't follow that session.");
       return;
     }
     context.standsBy(request.secret(), this);
     standby = request;
+    if (isFollowed) {
+      fleet.standsBy(request.room(), request.secret());
+    }
   }
 
   /** Ends a visitor that stands by, because the client does so over another link. */
@@ -747,6 +752,9 @@ final class Visitor implements LinkHandler, Entrance.Guest {
       return false;
     }
     FleetDoor fleet = directory.fleet();
+    if (fleet.mayComeBack(waiting.room())) {
+      return false; // its former owner may still stand in the directory
+    }
     FleetDoor.Place there =
         waiting.room().isEmpty()
             ? better(fleet.best(search(), link.door()), search())

@@ -70,6 +70,9 @@ public interface FleetDoor {
         }
 
         @Override
+        public void standsBy(String room, long secret) {}
+
+        @Override
         public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
           throw new IllegalStateException("there is no fleet");
         }
@@ -188,13 +191,19 @@ public interface FleetDoor {
   Future<Boolean> spend(String token, long seconds, boolean wasRead);
 
   /**
-   * Returns whether a room that nobody owns now has had an owner a moment ago, so that another
-   * server may be about to go on with it.
+   * Returns whether a room has had an owner a moment ago and has none now, so that another server
+   * may be about to go on with it; or is about to be this server's.
    */
   boolean mayComeBack(String room);
 
   /** Returns whether this server follows a room in which a session has this secret. */
   boolean follows(String room, long secret);
+
+  /**
+   * Tells the owner of a room that this server follows that a session's client stands by here, so
+   * that the owner may hand the room over.
+   */
+  void standsBy(String room, long secret);
 
   /**
    * Makes a ticket for a player and returns what to send to its client; null if the directory

@@ -80,6 +80,16 @@ public interface FleetRoom {
   void followedBy(SlotDisk disk, SlotLink link, int seconds, boolean waits);
 
   /**
+   * Returns how many clients play that don't stand by at a server, so that it can't speak to them.
+   *
+   * @param standbys secrets of the sessions whose clients do
+   */
+  int countWithout(Set<Long> standbys);
+
+  /** Sends clients that don't stand by to the server that has the room now. */
+  void sendOn(ServerMessage.Move move, Set<Long> standbys);
+
+  /**
    * Ends the room in its next turn without a word to its players, because another server goes on
    * with it; its journals get the last tick.
    *

@@ -298,6 +298,16 @@ public final class Room implements FleetRoom {
   }
 
   @Override
+  public int countWithout(Set<Long> standbys) {
+    return parts.sessions.without(standbys).size();
+  }
+
+  @Override
+  public void sendOn(ServerMessage.Move move, Set<Long> standbys) {
+    parts.sessions.without(standbys).forEach(session -> session.send(move));
+  }
+
+  @Override
   public void handOver(Function<Link.Door, ServerMessage.Redirect> where, Runnable ended) {
     next.set(
         () -> {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -75,6 +76,21 @@ final class RoomSessions {
         session.closeLink(why);
       }
     }
+  }
+
+  /**
+   * Returns the sessions whose clients know how to stand by, but don't; from any thread.
+   *
+   * @param standbys secrets of the sessions whose clients do
+   */
+  List<Session> without(Set<Long> standbys) {
+    List<Session> without = new ArrayList<>();
+    for (Session session : bySeat) {
+      if (session != null && session.mayStandBy() && !standbys.contains(session.secret())) {
+        without.add(session);
+      }
+    }
+    return without;
   }
 
   void clear() {

@@ -394,6 +394,11 @@ public final class Session implements LinkHandler {
     }
   }
 
+  /** Returns whether a client of Carom plays, which stands by at the room's follower. */
+  public boolean mayStandBy() {
+    return !bot && link != null && link.door() == Link.Door.OWN;
+  }
+
   /** Returns the door by which the client has come; the own one without a link. */
   public Link.Door door() {
     return link == null ? Link.Door.OWN : link.door();

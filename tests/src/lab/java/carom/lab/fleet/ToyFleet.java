@@ -434,6 +434,14 @@ final class ToyFleet implements AutoCloseable {
     }
 
     @Override
+    public int countWithout(Set<Long> standbys) {
+      return 0; // toy players have no clients
+    }
+
+    @Override
+    public void sendOn(ServerMessage.Move move, Set<Long> standbys) {}
+
+    @Override
     public void handOver(Function<Link.Door, ServerMessage.Redirect> where, Runnable ended) {
       closed = true;
       ended.run();

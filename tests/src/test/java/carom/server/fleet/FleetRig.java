@@ -63,6 +63,9 @@ public final class FleetRig implements AutoCloseable {
   /** Time that a server needs to take a room over, s. */
   double takeoverS;
 
+  /** Servers to which clients' new links don't get. */
+  final Set<String> unreachable = new TreeSet<>();
+
   /** What is under way between two servers, by both names, in order. */
   private final Map<String, ArrayDeque<Parcel>> wires = new TreeMap<>();
 
@@ -380,7 +383,11 @@ public final class FleetRig implements AutoCloseable {
   private final class Roads implements ClientTransport {
     @Override
     public Link connect(String host, int tcpPort, int udpPort) {
-      return nodes.get(host).network.client().connect(host, 0, 0);
+      Link link = nodes.get(host).network.client().connect(host, 0, 0);
+      if (unreachable.contains(host)) {
+        link.close("unreachable");
+      }
+      return link;
     }
 
     @Override

@@ -344,6 +344,79 @@ class FleetScenarioTest {
     }
   }
 
+  /**
+   * Wherever a room goes, the server there can speak to its players at once: they stand by there
+   * before the room comes. Words between servers take as long as on the way to another town.
+   */
+  @Test
+  void roomsThatMoveAnywhereLeaveNobodyInSilence() throws Exception {
+    Random random = FleetRig.draws();
+    try (FleetRig rig = threeServers(Durability.ASYNC, 10_000_000)) {
+      Map<String, String> seats = seats(rig);
+      long[] snapshots = new long[PLAYERS];
+      int[] silent = new int[PLAYERS];
+      for (int i = 0; i < 12; i++) {
+        List<String> rooms = List.copyOf(rig.rooms());
+        String room = rooms.get(random.nextInt(rooms.size()));
+        List<FleetRig.Node> servers = new ArrayList<>(rig.nodes.values());
+        FleetRig.Node owner = rig.owners(room).get(0);
+        servers.remove(owner);
+        String to = servers.get(random.nextInt(2)).name;
+        owner.member.run(List.of("move", room, to));
+        for (int slice = 0; slice < 800; slice++) {
+          rig.run(0.005);
+          for (int j = 0; j < PLAYERS; j++) {
+            long count = rig.clients.get(j).view().stats().snapshots();
+            silent[j] = count == snapshots[j] ? silent[j] + 1 : 0;
+            snapshots[j] = count;
+            assertTrue(
+                silent[j] < 30,
+                "150 ms without a snapshot: bot" + j + ", room " + room + " to " + to);
+          }
+        }
+        assertEquals(to, rig.owners(room).get(0).name);
+        requireAllPlay(rig);
+      }
+      assertEquals(seats, seats(rig));
+    }
+  }
+
+  @Test
+  void aClientThatStandsByTooLateIsSentAfterItsRoom() throws Exception {
+    try (FleetRig rig = threeServers()) {
+      Map<String, String> seats = seats(rig);
+      FleetRig.Node owner = rig.nodes.get("a");
+      Room room = owner.server.rooms().get(0);
+      long players = seats.values().stream().filter(s -> s.startsWith(room.name() + "#")).count();
+      assertTrue(players > 0, seats::toString);
+      long before = rig.clients.stream().mapToInt(c -> c.view().stats().redirects()).sum();
+      String line =
+          owner
+              .member
+              .run(List.of("rooms"))
+              .lines()
+              .filter(one -> one.startsWith(room.name() + " "))
+              .findFirst()
+              .orElseThrow();
+      String to = line.strip().endsWith(" b") ? "c" : "b"; // not its follower
+      rig.unreachable.addAll(List.of("b", "c"));
+      owner.member.run(List.of("move", room.name(), to));
+      int slices = 0;
+      while (owner.server.room(room.name()) != null) {
+        rig.run(0.005);
+        assertTrue(++slices < 1_400, "the room moved without its clients");
+      }
+      assertTrue(slices > 900, "it waited for them");
+      rig.unreachable.clear();
+      rig.run(0.3);
+      assertEquals(to, rig.owners(room.name()).get(0).name);
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
+      long after = rig.clients.stream().mapToInt(c -> c.view().stats().redirects()).sum();
+      assertEquals(before + players, after, "the owner told them where it is");
+    }
+  }
+
   @Test
   void aRoomWithoutPlayersKeepsItsWorldWhereverItGoes() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {

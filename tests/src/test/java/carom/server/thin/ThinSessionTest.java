@@ -365,6 +365,11 @@ final class ThinSessionTest {
     }
 
     @Override
+    public void standsBy(String room, long secret) {
+      throw new AssertionError("a thin client can't stand by for " + room);
+    }
+
+    @Override
     public Future<ServerMessage> move(Place to, Guest guest, Link.Door door) {
       throw new AssertionError("a thin client can't follow " + to);
     }
