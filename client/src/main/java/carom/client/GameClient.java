@@ -263,7 +263,7 @@ public final class GameClient implements AutoCloseable {
 
     @Override
     public void roster(ServerMessage.Roster roster) {
-      view.roster(roster);
+      game.roster(roster);
     }
 
     @Override
@@ -379,7 +379,8 @@ public final class GameClient implements AutoCloseable {
             stats,
             view,
             repeats,
-            countingListener);
+            countingListener,
+            game != null && game.goesOn(welcome, level));
     return null;
   }
 

@@ -71,6 +71,13 @@ final class JoinedGame {
   private final int incarnation;
   private final String room;
   private final int match;
+  private final Level level;
+  private final ServerMessage.Welcome welcome;
+
+  /** False as long as the view shows the stay before, of which this one is the continuation. */
+  private boolean isShown;
+
+  private boolean listsPlayers;
   private long firstSnapshotNs;
   private long lastAdvanceNs;
 
@@ -82,6 +89,7 @@ final class JoinedGame {
    * @param stopwatch measures replays
    * @param repeats outlives this stay
    * @param listener receives each event once
+   * @param goesOn whether the view shows the same match, which then stays until the first snapshot
    */
   JoinedGame(
       ClientConfig config,
@@ -95,7 +103,8 @@ final class JoinedGame {
       NetStatsRecorder stats,
       ViewWriter view,
       RepeatedEventFilter repeats,
-      EventListener listener) {
+      EventListener listener,
+      boolean goesOn) {
     this.view = view;
     this.stats = stats;
     this.simulation = simulation;
@@ -105,6 +114,8 @@ final class JoinedGame {
     incarnation = welcome.incarnation();
     room = welcome.room();
     match = welcome.match();
+    this.level = level;
+    this.welcome = welcome;
     this.source = source;
     tickRate = welcome.tickRate();
     fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
@@ -142,14 +153,17 @@ final class JoinedGame {
         new InputSender(config, welcome.epoch(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
     pools = new PoolFollower(simulation.pools(), fields.inbox(), connection);
-    beginView(welcome, level, simulation);
+    if (!goesOn) {
+      beginView();
+      view.roster(List.of());
+    }
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
   }
 
   /** Tells the view what stays the same for as long as the game lasts. */
-  private void beginView(ServerMessage.Welcome welcome, Level level, SimulationHost simulation) {
+  private void beginView() {
+    isShown = true;
     view.fields(fields);
-    view.roster(List.of());
     view.tick(welcome.tick());
     view.room(welcome.room(), welcome.match());
     view.game(
@@ -208,6 +222,9 @@ final class JoinedGame {
 
   private void steerClocks(int tick, long arrivedNs, long nowNs, long roundTripNs) {
     renderClock.snapshot(tick, time.at(arrivedNs), decoder.touchedCount() == 0);
+    if (!isShown) {
+      beginView();
+    }
     if (!clock.started()) {
       clock.start(time.at(nowNs), tick, (long) (roundTripNs * time.pace()));
       view.tick(clock.tick());
@@ -220,6 +237,15 @@ final class JoinedGame {
   void pace(ServerMessage.Pace pace, long nowNs) {
     time.pace(pace.percent(), nowNs);
     stats.viewsNarrow(pace.viewsNarrow());
+  }
+
+  /** Takes in who plays: first all, then what changes. */
+  void roster(ServerMessage.Roster roster) {
+    if (!listsPlayers) {
+      listsPlayers = true;
+      view.roster(List.of()); // those of the stay before
+    }
+    view.roster(roster);
   }
 
   /** Takes in a piece of the state of the level's pools. */
@@ -332,7 +358,7 @@ final class JoinedGame {
     if (prediction != null) {
       describeOwnFields();
     }
-    if (playing) {
+    if (playing && isShown) {
       view.renderTick(renderClock.tick());
       view.invalidate();
     }
@@ -360,6 +386,14 @@ final class JoinedGame {
   /** Ends the stay: fires the events that wait. The picture stays. */
   void close() {
     events.close();
+  }
+
+  /** Returns whether another link goes on with the match of this stay, in the same seat. */
+  boolean goesOn(ServerMessage.Welcome next, Level nextLevel) {
+    return next.room().equals(room)
+        && next.match() == match
+        && next.playerId() == playerId
+        && nextLevel == level;
   }
 
   /** Returns which run of the server the stay belongs to. */

@@ -59,6 +59,12 @@ final class GameScreen extends ScreenAdapter {
 
   private static final Logger LOG = LoggerFactory.getLogger(GameScreen.class);
 
+  /**
+   * Time for which the last picture stays as it is when the link is lost, s: where another server
+   * goes on with the room, the client is back sooner.
+   */
+  private static final float QUIET_SECONDS = 0.5f;
+
   private final GamePicture picture;
   private final NetGraph netGraph;
   private final KeyHints hints;
@@ -75,6 +81,7 @@ final class GameScreen extends ScreenAdapter {
   private GameClient client;
   private Conversation conversation;
   private float secondsPlayed;
+  private float secondsAway;
   private boolean played;
   private int buttons; // of the last sample
 
@@ -415,6 +422,7 @@ final class GameScreen extends ScreenAdapter {
     }
     played |= view.phase() == ConnectionPhase.PLAYING;
     secondsPlayed = view.phase() == ConnectionPhase.PLAYING ? secondsPlayed + deltaSeconds : 0;
+    secondsAway = view.phase() == ConnectionPhase.RECONNECTING ? secondsAway + deltaSeconds : 0;
     if (view.phase() == ConnectionPhase.PLAYING) {
       tellNews(view);
       actionHints.play(view.own() == null ? 0 : deltaSeconds);
@@ -447,7 +455,9 @@ final class GameScreen extends ScreenAdapter {
     }
     PictureParts parts = picture.parts();
     parts.run("curtain", () -> curtain.draw(view, deltaSeconds));
-    if (view.phase() != ConnectionPhase.PLAYING) {
+    boolean plays =
+        view.phase() == ConnectionPhase.PLAYING || (secondsAway > 0 && secondsAway < QUIET_SECONDS);
+    if (!plays) {
       if (parts.isBroken("curtain") || !curtain.showsLoading()) {
         hud.phase(view);
       }
@@ -457,7 +467,7 @@ final class GameScreen extends ScreenAdapter {
       }
       parts.run("chat", () -> conversation.draw(hud, nowNs));
     }
-    if (view.phase() == ConnectionPhase.PLAYING && !rooms.isOpen()) {
+    if (plays && !rooms.isOpen()) {
       parts.run("key hints", () -> hints.draw(deltaSeconds));
     }
     if (!rooms.isOpen()) {

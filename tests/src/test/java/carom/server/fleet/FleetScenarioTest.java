@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.ClientConfig;
 import carom.client.GameClient;
 import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
 import carom.server.Backend;
 import carom.server.access.JoinTokens;
 import carom.server.config.ServerConfig.Durability;
@@ -366,7 +367,9 @@ class FleetScenarioTest {
         for (int slice = 0; slice < 800; slice++) {
           rig.run(0.005);
           for (int j = 0; j < PLAYERS; j++) {
-            long count = rig.clients.get(j).view().stats().snapshots();
+            ClientView view = rig.clients.get(j).view();
+            assertTrue(view.entityCount() > 0 && !view.players().isEmpty(), "the picture stays");
+            long count = view.stats().snapshots();
             silent[j] = count == snapshots[j] ? silent[j] + 1 : 0;
             snapshots[j] = count;
             assertTrue(
