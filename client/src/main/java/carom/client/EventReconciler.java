@@ -81,7 +81,6 @@ public final class EventReconciler implements Journal {
   private int lastTick = -1;
   private int completeTick = -1;
   private long fired;
-  private long predicted;
   private long confirmations;
   private long retractions;
 
@@ -149,7 +148,6 @@ public final class EventReconciler implements Journal {
       if (entry != null) {
         entry.computed = true;
         entry.confirmed = false;
-        predicted++;
         fire(entry.event, true);
       }
     }
@@ -300,11 +298,6 @@ public final class EventReconciler implements Journal {
   /** Returns how many events fired, including those that were retracted later. */
   public long fired() {
     return fired;
-  }
-
-  /** Returns how many events fired because they were predicted. */
-  public long predicted() {
-    return predicted;
   }
 
   /** Returns how many predicted events the server confirmed. */

@@ -99,7 +99,6 @@ public final class GameClient implements AutoCloseable {
       new EventListener() {
         @Override
         public void happened(Event e, boolean predicted) {
-          stats.event();
           listener.happened(e, predicted);
         }
 

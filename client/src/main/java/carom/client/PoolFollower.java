@@ -36,7 +36,6 @@ final class PoolFollower {
   private int requested;
   private long askedNs;
   private boolean asked;
-  private int loaded;
   private int refused;
 
   /**
@@ -125,16 +124,10 @@ final class PoolFollower {
   private void take() {
     try {
       pools.restore(pools.read(new ArchiveReader(state)));
-      loaded++;
     } catch (ArchiveException e) {
       refused++; // damaged, or of a server with another level: the next one may be good
     }
     state = null;
     asked = refused > 0; // then patience passes before the next request
-  }
-
-  /** Returns how many states were loaded. */
-  public int loaded() {
-    return loaded;
   }
 }

@@ -460,9 +460,4 @@ public final class Recorder implements Journal {
   public void flush() {
     seal(Block.TICKS);
   }
-
-  /** Returns the last recorded tick. */
-  public int tick() {
-    return lastTick;
-  }
 }

@@ -379,11 +379,6 @@ public final class Replay {
     return simulation;
   }
 
-  /** Returns the header of the recording. */
-  public RecordingHeader header() {
-    return reader.header();
-  }
-
   /** Returns the first difference found, or null if there is none. */
   public Divergence divergence() {
     return divergences.isEmpty() ? null : divergences.get(0);

@@ -321,18 +321,6 @@ public final class SimulationHost implements Match, Rules {
     return parts.world.createJoint(def);
   }
 
-  /**
-   * Destroys a joint. Nothing happens if it is gone already.
-   *
-   * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
-   */
-  public void disconnect(Joint<HostEntity> joint) {
-    parts.phases.requireAuthority("disconnect");
-    if (joint.isValid()) {
-      parts.world.destroyJoint(joint);
-    }
-  }
-
   /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
   public JointTable<HostEntity> joints() {
     return parts.joints;

@@ -53,8 +53,6 @@ final class WorkerProcess implements AutoCloseable {
       }
       command.add(tool("java"));
       command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
-      command.add(
-          "-XX:FreqInlineSize=60"); // as the programs have it, see gradle/distribution.gradle
       if (!optimized) { // the kernels of the vector module would be interpreted
         command.removeIf(flag -> flag.contains("jdk.incubator.vector"));
         command.add("-XX:TieredStopAtLevel=1");

@@ -298,11 +298,6 @@ public final class BotFarm implements Crowd {
     }
   }
 
-  /** Returns how many bots there are. */
-  public int count() {
-    return players.size();
-  }
-
   /** Returns how many bots are playing. */
   @Override
   public int playing() {

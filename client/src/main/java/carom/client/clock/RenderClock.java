@@ -96,19 +96,6 @@ public final class RenderClock {
     this.ticksPerNs = tickRate / 1e9;
   }
 
-  /** Forgets everything. The next snapshot starts the clock again. */
-  public void reset() {
-    started = false;
-    samples = 0;
-    interval = 1;
-    lateness = 0;
-    loss = 0;
-    missing = 0;
-    missingSquares = 0;
-    Arrays.fill(intervalWeight, 0);
-    alike = 0;
-  }
-
   /**
    * Notes the arrival of a snapshot: call once per tick, for its first datagram.
    *
@@ -248,11 +235,6 @@ public final class RenderClock {
   /** Returns the tick to draw, with its fraction. */
   public double tick() {
     return position;
-  }
-
-  /** Returns the newest tick a snapshot was noted for. */
-  public int newestTick() {
-    return newest;
   }
 
   /** Returns the most frequent number of ticks between snapshots. */

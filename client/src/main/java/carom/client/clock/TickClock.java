@@ -94,7 +94,6 @@ public final class TickClock {
   private boolean alike;
 
   private int newestReported;
-  private double lastMargin;
 
   /** True once {@link #heard} was called. */
   private boolean listens;
@@ -145,7 +144,6 @@ public final class TickClock {
     deviation = 0.5;
     outliers = 0;
     newestReported = Integer.MIN_VALUE;
-    lastMargin = 0;
     Arrays.fill(offsetTick, Integer.MIN_VALUE);
   }
 
@@ -247,7 +245,6 @@ public final class TickClock {
    *     inputs come too late
    */
   public void report(int serverTick, int margin) {
-    lastMargin = margin;
     int newest = serverTick + margin;
     if (!started || newest <= newestReported) {
       return; // no new input had arrived: the margin tells how long the line has been dead
@@ -325,11 +322,6 @@ public final class TickClock {
   public double targetMargin() {
     double jitterMargin = Math.min(MAX_JITTER_MARGIN, Math.max(0, 2.5 * (deviation - 0.5)));
     return BASE_MARGIN + lossMargin + jitterMargin;
-  }
-
-  /** Returns the margin the server reported last, ticks. */
-  public double lastMargin() {
-    return lastMargin;
   }
 
   /** Returns how many ticks were lost because this machine was too slow, since construction. */

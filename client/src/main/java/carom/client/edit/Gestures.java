@@ -123,11 +123,6 @@ public final class Gestures {
     picker = receiver;
   }
 
-  /** Returns whether the next click picks something for a form. */
-  public boolean isPicking() {
-    return picker != null;
-  }
-
   // ---- what is shown of it
 
   /** Returns the points that were clicked so far, metres. */

@@ -1,6 +1,5 @@
 package carom.client.edit;
 
-import carom.client.edit.LevelSchema.Rules;
 import carom.game.GameFault;
 import carom.game.Games;
 import carom.physics.math.Aabb;
@@ -698,10 +697,5 @@ public final class LevelEditor {
       fields.put(String.valueOf(namesAndValues[i]), namesAndValues[i + 1]);
     }
     return fields;
-  }
-
-  /** Returns the rules of a thing. */
-  static Rules rules(Item item) {
-    return LevelSchema.LEVEL.item(item.list());
   }
 }

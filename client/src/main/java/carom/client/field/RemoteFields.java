@@ -58,11 +58,6 @@ public final class RemoteFields implements ShownFields {
     }
   }
 
-  /** Returns the declarations. */
-  public Schema schema() {
-    return schema;
-  }
-
   /** Returns what takes the rows of the server's tables. */
   public TableInbox inbox() {
     return inbox;

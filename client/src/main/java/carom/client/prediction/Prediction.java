@@ -141,16 +141,6 @@ public final class Prediction {
     syncTester = new SyncTester(timeline, inputs, poses);
   }
 
-  /** Returns the predicted simulation, for debug drawing. Do not change it. */
-  public SimulationHost simulation() {
-    return simulation;
-  }
-
-  /** Returns whether there is an own body to predict. */
-  public boolean isActive() {
-    return active;
-  }
-
   /** Returns the newest predicted tick. Valid while {@link #isActive}. */
   public int tick() {
     return timeline.tick();
@@ -385,16 +375,6 @@ public final class Prediction {
    */
   public boolean isAlone() {
     return poses.isAlone();
-  }
-
-  /** Returns how many provisional entities have become the server's. */
-  public long spawnsMatched() {
-    return settler.matched();
-  }
-
-  /** Returns how many provisional entities went because the server had none of them. */
-  public long spawnsRetracted() {
-    return settler.retracted();
   }
 
   /** Returns how many replays left out ticks because they were too long or took too long. */

@@ -39,7 +39,6 @@ final class ReceivedRulings implements Rulings {
   private int newestTick = -1;
   private final Ruling read = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
-  private long received;
   private final SimulationHost s;
   private final int ownId;
 
@@ -98,7 +97,6 @@ final class ReceivedRulings implements Rulings {
     }
     rulings[slot].set(read);
     newestTick = Math.max(newestTick, read.tick);
-    received++;
   }
 
   /**
@@ -115,11 +113,6 @@ final class ReceivedRulings implements Rulings {
     }
     taken = next;
     return first;
-  }
-
-  /** Returns how many came. */
-  public long received() {
-    return received;
   }
 
   @Override

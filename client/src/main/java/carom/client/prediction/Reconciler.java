@@ -241,7 +241,6 @@ final class Reconciler {
     NearState near = server.near();
     boolean ownEqual = timeline.isSaved(stateTick) && timeline.own(stateTick).sameAs(server);
     if (ownEqual && (!near.present() || timeline.hash(stateTick) == near.hash())) {
-      result.agreed = result.compared && from < 0;
       agreement.agree(stateTick, near.present());
       if (result.compared) {
         result.awakeBodies = timeline.awakeBodies(stateTick);

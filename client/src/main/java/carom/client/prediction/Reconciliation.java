@@ -10,7 +10,6 @@ public final class Reconciliation {
   final OwnState predicted = new OwnState();
   boolean compared;
   boolean exact;
-  boolean agreed;
   boolean corrected;
   float correctionMetres;
   int awakeBodies;
@@ -28,7 +27,6 @@ public final class Reconciliation {
   /** Starts a new result; the replay's time stays until it is measured again. */
   void begin() {
     compared = false;
-    agreed = false;
     corrected = false;
     replayedTicks = 0;
     rolledBackTicks = 0;
@@ -51,11 +49,6 @@ public final class Reconciliation {
   /** Returns whether the own body was predicted in every bit. */
   public boolean exact() {
     return compared && exact;
-  }
-
-  /** Returns whether the whole predicted set was predicted in every bit. */
-  public boolean agreed() {
-    return compared && agreed;
   }
 
   /**

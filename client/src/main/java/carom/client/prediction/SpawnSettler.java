@@ -17,8 +17,6 @@ final class SpawnSettler {
   private final SnapshotRecords records;
   private final int[] row = new int[BodyRow.INTS];
   private final int[] words;
-  private long matched;
-  private long retracted;
 
   SpawnSettler(SimulationHost simulation, SnapshotRecords records) {
     this.simulation = simulation;
@@ -46,10 +44,8 @@ final class SpawnSettler {
       int key = key(told, entity.origin());
       if (key < 0 || !isSameKind(entity, key)) {
         simulation.despawn(entity);
-        retracted++;
       } else if (records.spawns().key(entity.origin()) == key) {
         become(entity, key);
-        matched++;
       }
     }
   }
@@ -103,15 +99,5 @@ final class SpawnSettler {
     while (simulation.mirror().provisionalCount() > 0) {
       simulation.despawn(simulation.mirror().provisional(0));
     }
-  }
-
-  /** Returns how many provisional entities the server has told. */
-  long matched() {
-    return matched;
-  }
-
-  /** Returns how many provisional entities the server didn't spawn, or had despawned already. */
-  long retracted() {
-    return retracted;
   }
 }

@@ -94,11 +94,6 @@ public final class NetStats {
     return traffic.bytesIn;
   }
 
-  /** Returns the payload sent since the client was created, bytes. */
-  public long bytesOut() {
-    return traffic.bytesOut;
-  }
-
   /** Returns how many datagrams could not be decoded since the client was created. */
   public int malformed() {
     return traffic.malformed;
@@ -235,11 +230,6 @@ public final class NetStats {
     return prediction.toldBodies;
   }
 
-  /** Returns how often the own body was put right because of what the game's rules did, as told. */
-  public long told() {
-    return prediction.told;
-  }
-
   /** Returns the awake bodies of the predicted set at the last comparison, own one included. */
   public int nearBodies() {
     return prediction.nearBodies;
@@ -260,11 +250,6 @@ public final class NetStats {
     return prediction.rollbacks == 0 ? 0 : (double) prediction.rollbackTicks / prediction.rollbacks;
   }
 
-  /** Returns the length of the longest rollback, ticks. */
-  public int rollbackMaxTicks() {
-    return prediction.longestRollback;
-  }
-
   /** Returns how many replays left out ticks because they were too long or took too long. */
   public long replaysCutShort() {
     return prediction.replaysCutShort;
@@ -282,11 +267,6 @@ public final class NetStats {
 
   // ---- events
 
-  /** Returns how many events (hits, goals, jumps) fired since the client was created. */
-  public long events() {
-    return recorder.events;
-  }
-
   /** Returns how many predicted events were retracted since the client was created. */
   public long eventsRetracted() {
     return recorder.eventsRetracted;
@@ -298,11 +278,6 @@ public final class NetStats {
   }
 
   // ---- graphs
-
-  /** Returns recent round trips, milliseconds. */
-  public RecentValues rttSeries() {
-    return traffic.roundTrips;
-  }
 
   /** Returns recent sizes of snapshot datagrams, bytes. */
   public RecentValues snapshotBytesSeries() {
@@ -322,10 +297,5 @@ public final class NetStats {
   /** Returns recent corrections of the own body, metres, one per snapshot; 0 = exact. */
   public RecentValues correctionSeries() {
     return prediction.corrections;
-  }
-
-  /** Returns recent times of replays, milliseconds. */
-  public RecentValues replaySeries() {
-    return prediction.replays;
   }
 }

@@ -15,7 +15,6 @@ public final class NetStatsRecorder {
   double targetMargin;
   double clockSpeed = 1;
   boolean viewsNarrow;
-  long events;
   long eventsRetracted;
   long eventsMissed;
 
@@ -106,11 +105,6 @@ public final class NetStatsRecorder {
   /** Sets whether the server is too busy to tell of more than what is shown. */
   public void viewsNarrow(boolean narrow) {
     viewsNarrow = narrow;
-  }
-
-  /** Notes an event that fired. */
-  public void event() {
-    events++;
   }
 
   /** Notes an event that was retracted. */

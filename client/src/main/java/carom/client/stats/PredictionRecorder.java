@@ -20,11 +20,9 @@ final class PredictionRecorder {
   long awakeBodies;
   long exactBodies;
   long toldBodies;
-  long told;
   long disagreements;
   long rollbacks;
   long rollbackTicks;
-  int longestRollback;
   long replaysCutShort;
   long syncErrors;
   long shifts;
@@ -41,7 +39,6 @@ final class PredictionRecorder {
       compared++;
       nearBodies = result.awakeBodies();
       exact += result.exact() ? 1 : 0;
-      told += result.told() ? 1 : 0;
       toldBodies += result.toldBodies();
       awakeBodies += result.awakeBodies();
       exactBodies += result.exactBodies();
@@ -49,7 +46,6 @@ final class PredictionRecorder {
     if (result.replayedTicks() > 0) {
       rollbacks++;
       rollbackTicks += result.rolledBackTicks();
-      longestRollback = Math.max(longestRollback, result.rolledBackTicks());
       replays.add(result.replayNs() / 1e6f);
     }
     otherInputs += result.otherInputs() ? 1 : 0;

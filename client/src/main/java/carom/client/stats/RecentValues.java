@@ -48,15 +48,6 @@ public final class RecentValues {
     return size() == 0 ? 0 : (float) (sum / size());
   }
 
-  /** Returns the largest value held, or 0 if there is none above. */
-  public float max() {
-    float max = 0;
-    for (int i = 0; i < size(); i++) {
-      max = Math.max(max, get(i));
-    }
-    return max;
-  }
-
   /**
    * Returns a percentile of the values held, or 0 if there is none.
    *

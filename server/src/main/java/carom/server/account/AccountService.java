@@ -143,11 +143,6 @@ public final class AccountService implements AutoCloseable {
     return writes.size();
   }
 
-  /** Returns whether the store didn't answer the last time. */
-  public boolean isFailing() {
-    return failing;
-  }
-
   /** Returns what the metrics tell of accounts. */
   public List<Figure> figures() {
     return List.of(

@@ -48,7 +48,6 @@ final class SlotFile implements BlockSink {
   private boolean hasSeats;
 
   private volatile boolean safe;
-  private volatile long written;
 
   SlotFile(SlotDisk disk, SlotStore folder, int number) {
     this.disk = disk;
@@ -88,7 +87,6 @@ final class SlotFile implements BlockSink {
       writer = new BlockWriter(Channels.newOutputStream(channel));
     }
     writer.write(type, bytes, bytes.length);
-    written = writer.written();
   }
 
   /** Writes who plays: at first at the checkpoint, later since the last player came or went. */
@@ -193,10 +191,5 @@ final class SlotFile implements BlockSink {
    */
   int uncertainBlocks() {
     return safe ? queuedBlocks.get() : blocks.get();
-  }
-
-  /** Returns the number of bytes written. Any thread. */
-  long writtenBytes() {
-    return written;
   }
 }

@@ -1,7 +1,6 @@
 package carom.server.command;
 
 import carom.text.Suggestion;
-import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -44,16 +43,6 @@ public final class CommandRegistry {
     if (commands.putIfAbsent(command.name(), command) != null) {
       throw new IllegalArgumentException("command=" + command.name() + " is there already");
     }
-  }
-
-  /** Returns the names of all commands, sorted. */
-  public Collection<String> names() {
-    return List.copyOf(commands.keySet());
-  }
-
-  /** Returns all commands, sorted by name. */
-  public Collection<Command> all() {
-    return List.copyOf(commands.values());
   }
 
   /**

@@ -29,7 +29,6 @@ public final class MemoryDirectory {
       new PriorityQueue<>(Comparator.comparingLong(LeaseEnd::endNs));
   private final List<Door> doors = new ArrayList<>();
   private long lastNumber;
-  private long calls;
 
   /**
    * Creates an empty directory.
@@ -57,11 +56,6 @@ public final class MemoryDirectory {
         end(due.lease);
       }
     }
-  }
-
-  /** Returns the number of calls so far that were answered. */
-  public synchronized long calls() {
-    return calls;
   }
 
   private void end(long lease) {
@@ -125,7 +119,6 @@ public final class MemoryDirectory {
       if (isAway) {
         throw new DirectoryException("directory=memory is away", null);
       }
-      calls++;
       tick();
     }
 

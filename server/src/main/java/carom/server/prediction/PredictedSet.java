@@ -59,8 +59,6 @@ public final class PredictedSet {
   /** Number of the first ruling that was not there at the last capture. */
   private long nextRuling;
 
-  private long toldRulings;
-
   /** True if the next update must tell all, because the game interfered too long ago. */
   private boolean mustTellAll;
 
@@ -168,7 +166,6 @@ public final class PredictedSet {
         noteInput(r);
         mustTellAll |=
             !rulings.add(tick, r.tick, r.moment.ordinal(), r.key, r.joint, r.mask, r.row);
-        toldRulings++;
       }
     }
   }
@@ -365,11 +362,6 @@ public final class PredictedSet {
    */
   public long updates() {
     return updates;
-  }
-
-  /** Returns the number of rulings of the game that were told. */
-  public long rulings() {
-    return toldRulings;
   }
 
   /** Returns the number of updates begun because the client had another state. */

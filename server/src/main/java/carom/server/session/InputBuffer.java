@@ -276,11 +276,6 @@ public final class InputBuffer {
     return anyArrived ? newestTick - lastConsumedTick : 0;
   }
 
-  /** Returns whether an input arrived since the last {@link #reset}. */
-  public boolean anyArrived() {
-    return anyArrived;
-  }
-
   /** Returns the number of ticks consumed, those without an input included. */
   public long consumed() {
     return consumed;

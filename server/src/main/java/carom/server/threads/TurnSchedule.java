@@ -125,11 +125,6 @@ final class TurnSchedule {
     return line;
   }
 
-  /** Returns the number of lines. */
-  int lines() {
-    return lines.size();
-  }
-
   /**
    * Adds an item.
    *

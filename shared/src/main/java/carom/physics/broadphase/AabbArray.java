@@ -101,16 +101,6 @@ public final class AabbArray {
   }
 
   /**
-   * Copies one box over another.
-   *
-   * @param from id of the source
-   * @param to id of the destination
-   */
-  public void copy(int from, int to) {
-    set(to, minX(from), minY(from), maxX(from), maxY(from));
-  }
-
-  /**
    * Returns whether two boxes overlap or touch.
    *
    * @param a one id

@@ -1,7 +1,5 @@
 package carom.physics.collision;
 
-import carom.physics.math.Limits;
-
 /**
  * The place at which two convex shapes A and B touch or are about to: one normal and up to two
  * points.
@@ -72,15 +70,6 @@ public final class Manifold {
     set(0, 0, 0);
     setPoint0(0, 0, 0, 0);
     setPoint1(0, 0, 0, 0);
-  }
-
-  /** Copies {@code m} and returns this. */
-  public Manifold set(Manifold m) {
-    Limits.notNull("m", m);
-    set(m.normalX, m.normalY, m.count);
-    setPoint0(m.x0, m.y0, m.separation0, m.id0, m.otherId0);
-    setPoint1(m.x1, m.y1, m.separation1, m.id1, m.otherId1);
-    return this;
   }
 
   void set(float normalX, float normalY, int count) {

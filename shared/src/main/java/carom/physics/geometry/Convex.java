@@ -105,23 +105,6 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * Copies vertices and normals into the caller's arrays, each of at least vertexCount() floats.
-   * Returns vertexCount().
-   */
-  public final int copyTo(float[] xs, float[] ys, float[] normalXs, float[] normalYs) {
-    int count = vx.length;
-    Limits.stretch("xs", Limits.notNull("xs", xs).length, 0, count);
-    Limits.stretch("ys", Limits.notNull("ys", ys).length, 0, count);
-    Limits.stretch("normalXs", Limits.notNull("normalXs", normalXs).length, 0, count);
-    Limits.stretch("normalYs", Limits.notNull("normalYs", normalYs).length, 0, count);
-    System.arraycopy(vx, 0, xs, 0, count);
-    System.arraycopy(vy, 0, ys, 0, count);
-    System.arraycopy(nx, 0, normalXs, 0, count);
-    System.arraycopy(ny, 0, normalYs, 0, count);
-    return count;
-  }
-
-  /**
    * Refuses a shape that is so small and so far from the origin that rounding has merged vertices.
    */
   final void checkEdges(String what) {

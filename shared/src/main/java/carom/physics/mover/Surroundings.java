@@ -133,10 +133,6 @@ final class Surroundings<T> {
     return shapes[i];
   }
 
-  boolean skipped(int i) {
-    return skipped[i];
-  }
-
   /** Leaves a part out of this move. */
   void skip(int i) {
     skipped[i] = true;

@@ -240,11 +240,6 @@ public final class FieldValues {
     return hash(hash, words.length);
   }
 
-  /** Mixes the words that some player may be told into a hash. */
-  public long hashTold(long hash) {
-    return hash(hash, store.schema().toldWords(scope));
-  }
-
   private long hash(long hash, int count) {
     long h = hash;
     for (int i = 0; i < count; i++) {

@@ -45,11 +45,6 @@ public final class WaitingMessages {
     }
   }
 
-  /** Returns the number of messages. */
-  public int size() {
-    return list.size();
-  }
-
   /** Removes all messages. */
   public void clear() {
     list.clear();

@@ -29,7 +29,6 @@ public final class Outbox {
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventLog events = new EventLog();
   private final ArrayDeque<Delivery> messages = new ArrayDeque<>();
-  private long droppedMessages;
   private NextMatch nextMatch;
 
   /**
@@ -54,13 +53,14 @@ public final class Outbox {
     return events.add(kind, tick);
   }
 
-  /** Adds a message without recipients; on {@code Role.PREDICTION} it is not sent. */
+  /**
+   * Adds a message without recipients. It is not sent on {@code Role.PREDICTION}, or if {@value
+   * #MAX_MESSAGES} wait already.
+   */
   public Delivery send(Message message) {
     Delivery delivery = new Delivery(message);
     if (decides && messages.size() < MAX_MESSAGES) {
       messages.add(delivery);
-    } else if (decides) {
-      droppedMessages++;
     }
     return delivery;
   }
@@ -104,10 +104,5 @@ public final class Outbox {
     while (!messages.isEmpty()) {
       consumer.accept(messages.remove());
     }
-  }
-
-  /** Returns the number of messages that were lost because {@value #MAX_MESSAGES} waited. */
-  public long droppedMessages() {
-    return droppedMessages;
   }
 }

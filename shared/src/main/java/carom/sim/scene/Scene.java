@@ -72,16 +72,6 @@ public record Scene(
   }
 
   /**
-   * Returns the scene at another tick rate.
-   *
-   * @param newTickRate steps per second
-   * @return a changed copy
-   */
-  public Scene atRate(int newTickRate) {
-    return new Scene(name, description, def, newTickRate, view, builder);
-  }
-
-  /**
    * Makes the bodies of the scene.
    *
    * @param stage receives them; its world is empty and was made with {@link #def}

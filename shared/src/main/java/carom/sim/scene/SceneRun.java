@@ -12,28 +12,17 @@ import java.util.List;
  * step allocates nothing unless the scene makes bodies.
  */
 public final class SceneRun implements ParticleWorld.Copy {
-  private final Scene scene;
   private final World<String> world;
   private final SceneWorld<String> stage;
   private final float tickSeconds;
   private int tick;
 
   SceneRun(Scene scene, WorldDef def) {
-    this.scene = scene;
     world = new World<>(def);
     stage = new SceneWorld<>(world);
     scene.build(stage);
     world.listener(stage.listener());
     tickSeconds = 1f / scene.tickRate();
-  }
-
-  /**
-   * Returns the scene that is running.
-   *
-   * @return its recipe
-   */
-  public Scene scene() {
-    return scene;
   }
 
   /**

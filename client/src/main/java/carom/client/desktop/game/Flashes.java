@@ -26,7 +26,6 @@ final class Flashes implements EventListener {
   private final Color color = new Color();
   private final Predicate<EventKind> ringless;
   private int next;
-  private int shown;
 
   /** Creates effects; {@code ringless} says for which events something else shows than a ring. */
   Flashes(Predicate<EventKind> ringless) {
@@ -45,7 +44,6 @@ final class Flashes implements EventListener {
     events[next].set(event);
     age[next] = 0;
     next = (next + 1) % FLASHES;
-    shown++;
   }
 
   @Override
@@ -56,11 +54,6 @@ final class Flashes implements EventListener {
         return;
       }
     }
-  }
-
-  /** Returns how many flashes have been shown so far. */
-  int shown() {
-    return shown;
   }
 
   /** Lets the flashes fade. */

@@ -96,10 +96,6 @@ public final class SceneScreen extends ScreenAdapter {
     }
   }
 
-  ScenePlayer player() {
-    return player;
-  }
-
   @Override
   public void show() {
     Gdx.input.setInputProcessor(

@@ -39,11 +39,6 @@ public final class ViewCamera {
     return camera;
   }
 
-  /** Returns whether there ever was a body to follow; spectators have none. */
-  public boolean hasFollowed() {
-    return placed;
-  }
-
   /** Returns the scale, pixels per metre. */
   public float pixelsPerMetre(int screenHeight) {
     return screenHeight / camera.viewportHeight;

@@ -466,9 +466,4 @@ final class WebLink extends ThinLink {
       // it is gone either way
     }
   }
-
-  /** Returns whether the connection has ended. */
-  boolean hasEnded() {
-    return !channel.isOpen();
-  }
 }

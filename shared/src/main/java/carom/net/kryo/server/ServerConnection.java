@@ -159,10 +159,6 @@ final class ServerConnection extends Connection implements Entrance.Guest {
     }
   }
 
-  Link link() {
-    return link;
-  }
-
   Phase phase() {
     return phase;
   }

@@ -186,16 +186,6 @@ public final class OwnState {
     return Float.intBitsToFloat(motion(BodyRow.VX));
   }
 
-  /** Returns the y of the velocity of the centre of mass, m/s. */
-  public float vy() {
-    return Float.intBitsToFloat(motion(BodyRow.VY));
-  }
-
-  /** Returns the angular velocity, rad/s. */
-  public float omega() {
-    return Float.intBitsToFloat(motion(BodyRow.OMEGA));
-  }
-
   /** Returns a word of the player's fields, index 0..{@link #words} - 1. */
   public int word(int index) {
     return values[FLOATS + checked(index)];

@@ -417,11 +417,6 @@ public final class FrameState {
     return h ^ (h >>> 29);
   }
 
-  /** Returns whether the frame holds the input of a player. */
-  public boolean hasInput(int player) {
-    return players.has(player);
-  }
-
   /** Returns the packed input that a player's step to this tick consumed; 0 if there is none. */
   public long input(int player) {
     return players.has(player) ? inputs[player] : 0;
