@@ -146,12 +146,7 @@ final class GameChoice {
         : new HandedInMatch(this::newGame, level);
   }
 
-  /** Returns the first level of the first room. */
-  Level level() {
-    return level;
-  }
-
-  /** Returns the name of that level's game. */
+  /** Returns the name of the game of the first room's first level. */
   String gameName() {
     return gameName;
   }

@@ -4,23 +4,6 @@ import java.util.List;
 
 /** The writes that a room has noted of accounts, as its checkpoints see them. */
 public interface AccountLog {
-  /** The log of a room that has noted nothing. */
-  AccountLog NONE =
-      new AccountLog() {
-        @Override
-        public long noted() {
-          return 0;
-        }
-
-        @Override
-        public List<AccountWrite> departed() {
-          return List.of();
-        }
-
-        @Override
-        public void resumed(List<AccountWrite> writes) {}
-      };
-
   /** Returns how many writes the room has noted so far, which belong to ticks before now. */
   long noted();
 

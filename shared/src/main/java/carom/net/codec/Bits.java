@@ -40,20 +40,4 @@ public final class Bits {
   public static int rawBits(int ordered) {
     return ordered ^ ((ordered >> 31) & 0x7fffffff);
   }
-
-  /**
-   * Writes a number after its width: 5 bits for the width of its zigzag form, then that form. The
-   * magnitude must be below 2^30.
-   */
-  public static void writeSized(BitWriter w, int value) {
-    int z = zigzag(value);
-    int width = width(z);
-    w.write(width, 5);
-    w.write(z, width);
-  }
-
-  /** Reads a number written by {@link #writeSized}. */
-  public static int readSized(BitReader r) {
-    return unzigzag(r.read(r.read(5)));
-  }
 }

@@ -61,7 +61,6 @@ public final class OrderLog {
 
   // The order that was read last.
   int kind;
-  int pool;
   float x;
   float y;
   float radius;
@@ -216,7 +215,6 @@ public final class OrderLog {
     int place = row[HEAD + 2 * order];
     int what = row[HEAD + 2 * order + 1];
     kind = what >>> 30;
-    pool = what >>> 27 & MAX_POOLS - 1;
     radius = (what >>> 20 & 127) * STEP;
     vx = ((what >>> 10 & 1023) - 512) * STEP;
     vy = ((what & 1023) - 512) * STEP;

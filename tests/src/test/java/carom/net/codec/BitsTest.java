@@ -115,20 +115,6 @@ class BitsTest {
   }
 
   @Test
-  void sizedNumbersComeBack() {
-    byte[] bytes = new byte[8];
-    BitWriter w = new BitWriter();
-    BitReader r = new BitReader();
-    for (int value : new int[] {0, 1, -1, 2, 500, -70_000, 1 << 25, -(1 << 25), (1 << 30) - 1}) {
-      w.reset(bytes, 0, bytes.length);
-      Bits.writeSized(w, value);
-      r.reset(bytes, 0, w.bytes());
-      assertEquals(value, Bits.readSized(r));
-      assertTrue(r.finished());
-    }
-  }
-
-  @Test
   void orderedFloatsFollowTheNumbersAndComeBackBitByBit() {
     float[] ascending = {
       Float.NEGATIVE_INFINITY, -1e30f, -1, -Float.MIN_VALUE, -0f, 0f, Float.MIN_VALUE, 1, 1e30f
