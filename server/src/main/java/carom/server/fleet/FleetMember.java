@@ -386,7 +386,7 @@ public final class FleetMember implements AutoCloseable {
         if (!draining) {
           balance(host.rooms(), nowNs);
         }
-        followers.turn(rooms, draining, nowNs);
+        followers.turn(rooms, draining, !returning.isEmpty(), nowNs);
         announcer.tellRooms(rooms, nowNs, this::isHindered, this::lose);
         forgetStrays(nowNs);
         announcer.tellClients(rooms, nowNs);

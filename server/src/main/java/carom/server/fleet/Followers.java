@@ -61,6 +61,7 @@ final class Followers implements AutoCloseable {
   /** Servers that own rooms in which people play, as seen in the present turn; null before. */
   private Set<Long> played;
 
+  private boolean isBusy; // with rooms that come here
   private long findsNs; // begin of the present time in which rooms find followers
   private int found; // rooms in it
 
@@ -89,8 +90,10 @@ final class Followers implements AutoCloseable {
    * Does what is due.
    *
    * @param rooms of this server, by name
+   * @param takesOver whether rooms come here now, for which players wait: new followers can wait
    */
-  void turn(Map<String, FleetRoom> rooms, boolean draining, long nowNs) {
+  void turn(Map<String, FleetRoom> rooms, boolean draining, boolean takesOver, long nowNs) {
+    isBusy = takesOver;
     burdens = null;
     played = null;
     for (ServerRecord server : view.servers().values()) {
@@ -223,6 +226,9 @@ final class Followers implements AutoCloseable {
    * other, because the clients of each open a link to it.
    */
   private boolean mayFind(long nowNs) {
+    if (isBusy) {
+      return false;
+    }
     if (nowNs - findsNs >= FIND_NS) {
       findsNs = nowNs;
       found = 0;
