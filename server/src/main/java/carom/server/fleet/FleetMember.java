@@ -356,7 +356,7 @@ public final class FleetMember implements AutoCloseable {
 
   /** Sets whose rooms these are. */
   public void serves(RoomHost newHost) {
-    followers = new Followers(claims, view, peers, newHost, lease, settings, asks, news);
+    followers = new Followers(claims, view, peers, newHost, lease, settings, clock, asks, news);
     takeovers =
         new Takeovers(
             claims, view, following, newHost, lease, clock, asks, builds, returning, changed, news);
@@ -386,7 +386,7 @@ public final class FleetMember implements AutoCloseable {
         if (!draining) {
           balance(host.rooms(), nowNs);
         }
-        followers.turn(rooms, draining, nowNs);
+        followers.turn(rooms, draining, !returning.isEmpty(), nowNs);
         announcer.tellRooms(rooms, nowNs, this::isHindered, this::lose);
         forgetStrays(nowNs);
         announcer.tellClients(rooms, nowNs);
@@ -615,12 +615,13 @@ public final class FleetMember implements AutoCloseable {
   }
 
   /**
-   * Returns whether the fleet can do without this server: its rooms are gone, or none can go, and
-   * it follows none of the others' as they tell.
+   * Returns whether the fleet can do without this server: its rooms and their clients are gone, or
+   * none can go, and it follows none of the others' as they tell.
    */
   public boolean isDrained() {
     boolean isNeeded =
         !claims.all().isEmpty()
+            || (followers != null && followers.hasClientsLeft())
             || view.rooms().values().stream()
                 .anyMatch(room -> room.record().follower() == lease.number());
     return !isNeeded

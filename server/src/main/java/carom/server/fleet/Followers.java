@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
+import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -32,7 +33,7 @@ final class Followers implements AutoCloseable {
   /** Time after which a follower that can't go on with a room is too slow for it, ns. */
   private static final long SLOW_NS = 3_000_000_000L;
 
-  /** Longest time for which rooms wait for another one that moves, ns. */
+  /** Longest time for which rooms wait for another one that moves, and for its clients, ns. */
   private static final long MOVE_NS = 1_000_000_000;
 
   private final Claims claims;
@@ -41,6 +42,7 @@ final class Followers implements AutoCloseable {
   private final RoomHost host;
   private final Lease lease;
   private final FleetSettings settings;
+  private final LongSupplier clock;
   private final Executor asks;
   private final FleetNews news;
 
@@ -52,8 +54,13 @@ final class Followers implements AutoCloseable {
 
   private static final int FINDS = 20;
 
-  private String moving; // a room on its way to another server, or null
-  private long movingNs;
+  /** A room with players on its way to another server. */
+  private record Departure(String name, FleetRoom room, long atNs) {}
+
+  private final List<Departure> departures = new ArrayList<>();
+
+  /** Rooms that are at other servers, whose clients haven't gone there yet. */
+  private final Map<FleetRoom, Long> left = new ConcurrentHashMap<>();
 
   /** Rooms that each server owns and follows, as counted in the present turn; null before. */
   private Map<Long, Integer> burdens;
@@ -61,6 +68,7 @@ final class Followers implements AutoCloseable {
   /** Servers that own rooms in which people play, as seen in the present turn; null before. */
   private Set<Long> played;
 
+  private boolean isBusy; // with rooms that come here
   private long findsNs; // begin of the present time in which rooms find followers
   private int found; // rooms in it
 
@@ -73,6 +81,7 @@ final class Followers implements AutoCloseable {
       RoomHost host,
       Lease lease,
       FleetSettings settings,
+      LongSupplier clock,
       Executor asks,
       FleetNews news) {
     this.claims = claims;
@@ -81,6 +90,7 @@ final class Followers implements AutoCloseable {
     this.host = host;
     this.lease = lease;
     this.settings = settings;
+    this.clock = clock;
     this.asks = asks;
     this.news = news;
   }
@@ -89,8 +99,10 @@ final class Followers implements AutoCloseable {
    * Does what is due.
    *
    * @param rooms of this server, by name
+   * @param takesOver whether rooms come here now, for which players wait: new followers can wait
    */
-  void turn(Map<String, FleetRoom> rooms, boolean draining, long nowNs) {
+  void turn(Map<String, FleetRoom> rooms, boolean draining, boolean takesOver, long nowNs) {
+    isBusy = takesOver;
     burdens = null;
     played = null;
     for (ServerRecord server : view.servers().values()) {
@@ -107,7 +119,8 @@ final class Followers implements AutoCloseable {
         }
       }
     }
-    boolean onItsWay = isOnItsWay(nowNs);
+    left.forEach((room, atNs) -> forgetClients(room, nowNs - atNs > MOVE_NS));
+    departures.removeIf(one -> nowNs - one.atNs > MOVE_NS || isThere(one));
     List<Claims.Claim> all = new ArrayList<>(claims.all());
     all.sort(Comparator.comparing(claim -> -players(rooms.get(claim.room()))));
     boolean crowded = !all.isEmpty() && players(rooms.get(all.get(0).room())) > 0;
@@ -124,13 +137,13 @@ final class Followers implements AutoCloseable {
         claim.movesTo = 0; // that server is gone
       }
       if (claim.movesTo != 0 && claim.follower == claim.movesTo && room.isFollowed()) {
-        if (!onItsWay
+        if (departures.size() < Math.max(1, settings.processors() / 2)
             && (players(room) > 0 || !(draining && crowded))
             && isGathered(claim, room, nowNs)) {
+          if (players(room) > 0) {
+            departures.add(new Departure(claim.room(), room, nowNs));
+          }
           handOver(claim, room);
-          onItsWay = players(room) > 0;
-          moving = onItsWay ? claim.room() : moving;
-          movingNs = nowNs;
         }
         continue;
       }
@@ -154,19 +167,29 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns whether a room with players is between two servers. Others wait for it: side by side,
-   * each would take as long as all, and its players wait for it.
+   * Returns whether a room plays at another server, and its clients have gone there. Others wait
+   * for it, as many as processors can't serve: side by side, each would take as long as all, and
+   * its players wait for it.
    */
-  private boolean isOnItsWay(long nowNs) {
-    if (moving != null) {
-      FleetView.OwnedRoom there = view.rooms().get(moving);
-      boolean isThere =
-          there != null && there.record().server() != lease.number() && there.record().isBuilt();
-      if (isThere || nowNs - movingNs > MOVE_NS) {
-        moving = null;
-      }
+  private boolean isThere(Departure one) {
+    FleetView.OwnedRoom there = view.rooms().get(one.name);
+    return there != null
+        && there.record().server() != lease.number()
+        && there.record().isBuilt()
+        && one.room.clients() == 0;
+  }
+
+  /** Closes the links of a room that was handed over, once its clients have gone, or now. */
+  private void forgetClients(FleetRoom room, boolean now) {
+    if (now || room.clients() == 0) {
+      room.closeClients();
+      left.remove(room);
     }
-    return moving != null;
+  }
+
+  /** Returns whether clients of rooms that are at other servers still have links here. */
+  boolean hasClientsLeft() {
+    return !left.isEmpty();
   }
 
   private void findFollower(Claims.Claim claim, FleetRoom room, long nowNs) {
@@ -223,6 +246,9 @@ final class Followers implements AutoCloseable {
    * other, because the clients of each open a link to it.
    */
   private boolean mayFind(long nowNs) {
+    if (isBusy) {
+      return false;
+    }
     if (nowNs - findsNs >= FIND_NS) {
       findsNs = nowNs;
       found = 0;
@@ -392,6 +418,10 @@ final class Followers implements AutoCloseable {
         throw new IOException("the end of its journal can't be sent");
       }
       peers.await(to);
+      ServerRecord server = view.servers().get(to);
+      if (server != null) { // the last word that the room may say
+        room.sendOn(server.move(settings.fingerprint(), claim.room(), ""), claim.standbys);
+      }
       claim.ownership().claim(0);
       peers.send(
           to, PeerFrame.of(PeerFrame.Kind.HAND_OVER, claim.number(), claim.room(), new byte[0]));
@@ -403,18 +433,16 @@ final class Followers implements AutoCloseable {
       claims.release(claim);
       LOG.info("moved room={} tick={}", claim.room(), room.tick());
       news.movedOut(claim.room(), view.nameOf(to));
-      ServerRecord server = view.servers().get(to);
-      if (server != null) { // not before it owns the room: their way is short
-        room.sendOn(server.move(settings.fingerprint(), claim.room(), ""), claim.standbys);
-      }
     } catch (DirectoryException e) {
       LOG.error("room={} is released when the lease ends: {}", claim.room(), e.getMessage());
     }
+    left.put(room, clock.getAsLong());
     host.forget(room);
   }
 
   @Override
   public void close() {
+    left.keySet().forEach(FleetRoom::closeClients);
     disks.values().forEach(SlotDisk::close);
     disks.clear();
   }

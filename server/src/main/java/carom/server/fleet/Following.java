@@ -117,12 +117,6 @@ final class Following {
     return followed != null && followed.mirror.knows(secret);
   }
 
-  /** Returns whether the owner has given a followed room up for this server. */
-  boolean isHandedOver(String room) {
-    Followed followed = rooms.get(room);
-    return followed != null && followed.handedOver;
-  }
-
   /** Returns the lease of a followed room's owner, 0 for none. */
   long ownerOf(String room) {
     Followed followed = rooms.get(room);

@@ -204,9 +204,9 @@ final class Placement implements FleetDoor {
 
   @Override
   public boolean mayComeBack(String room) {
-    return view.orphans().containsKey(room)
-        || returning.contains(room)
-        || following.isHandedOver(room);
+    FleetView.OwnedRoom owned = view.rooms().get(room);
+    boolean leaves = owned != null && owned.record().leaving();
+    return leaves || view.orphans().containsKey(room) || returning.contains(room);
   }
 
   @Override

@@ -51,6 +51,9 @@ public interface RoomHost {
    */
   void drop(FleetRoom room, String why);
 
-  /** Removes a room that was handed over, and closes its links when its clients have gone on. */
+  /**
+   * Removes a room that was handed over. Its clients' links stay, see {@link
+   * FleetRoom#closeClients}.
+   */
   void forget(FleetRoom room);
 }

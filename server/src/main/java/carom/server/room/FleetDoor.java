@@ -191,8 +191,8 @@ public interface FleetDoor {
   Future<Boolean> spend(String token, long seconds, boolean wasRead);
 
   /**
-   * Returns whether a room has had an owner a moment ago and has none now, so that another server
-   * may be about to go on with it; or is about to be this server's.
+   * Returns whether a room has had an owner a moment ago and has none now, or leaves its owner, so
+   * that another server may be about to go on with it.
    */
   boolean mayComeBack(String room);
 

@@ -86,7 +86,13 @@ public interface FleetRoom {
    */
   int countWithout(Set<Long> standbys);
 
-  /** Sends clients that don't stand by to the server that has the room now. */
+  /** Returns how many clients have links to the room, of Carom's own. */
+  int clients();
+
+  /** Closes the links of all clients. */
+  void closeClients();
+
+  /** Sends clients that don't stand by to the server that is about to have the room. */
   void sendOn(ServerMessage.Move move, Set<Long> standbys);
 
   /**

@@ -298,6 +298,16 @@ public final class Room implements FleetRoom {
   }
 
   @Override
+  public int clients() {
+    return parts.sessions.clients();
+  }
+
+  @Override
+  public void closeClients() {
+    parts.sessions.closeLinks("another server has the room");
+  }
+
+  @Override
   public int countWithout(Set<Long> standbys) {
     return parts.sessions.without(standbys).size();
   }

@@ -72,10 +72,9 @@ final class RoomEnd {
     }
   }
 
-  /** Closes the links of a room that was handed over; from any thread. */
+  /** Closes the links of those who came to a room that was handed over; from any thread. */
   void closeHandedOver() {
     parts.arrivals.closeLinks("another server has the room");
-    parts.sessions.closeLinks("another server has the room");
   }
 
   /**

@@ -78,6 +78,15 @@ final class RoomSessions {
     }
   }
 
+  /** Returns how many clients of Carom have open links; from any thread. */
+  int clients() {
+    int clients = 0;
+    for (Session session : bySeat) {
+      clients += session != null && session.mayStandBy() && session.isLinkOpen() ? 1 : 0;
+    }
+    return clients;
+  }
+
   /**
    * Returns the sessions whose clients know how to stand by, but don't; from any thread.
    *

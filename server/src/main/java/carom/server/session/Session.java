@@ -394,6 +394,12 @@ public final class Session implements LinkHandler {
     }
   }
 
+  /** Returns whether the present link is usable; from any thread. */
+  public boolean isLinkOpen() {
+    Link present = link;
+    return present != null && present.state() == Link.State.OPEN;
+  }
+
   /** Returns whether a client of Carom plays, which stands by at the room's follower. */
   public boolean mayStandBy() {
     return !bot && link != null && link.door() == Link.Door.OWN;

@@ -434,8 +434,16 @@ final class ToyFleet implements AutoCloseable {
     }
 
     @Override
+    public int clients() {
+      return 0; // toy players have none
+    }
+
+    @Override
+    public void closeClients() {}
+
+    @Override
     public int countWithout(Set<Long> standbys) {
-      return 0; // toy players have no clients
+      return 0;
     }
 
     @Override

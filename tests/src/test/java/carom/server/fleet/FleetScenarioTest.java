@@ -407,10 +407,12 @@ class FleetScenarioTest {
       int slices = 0;
       while (owner.server.room(room.name()) != null) {
         rig.run(0.005);
-        assertTrue(++slices < 1_400, "the room moved without its clients");
+        if (++slices == 980) {
+          rig.unreachable.clear(); // too late for the next try to stand by
+        }
+        assertTrue(slices < 1_400, "the room stays");
       }
-      assertTrue(slices > 900, "it waited for them");
-      rig.unreachable.clear();
+      assertTrue(slices > 980, "it waited for them");
       rig.run(0.3);
       assertEquals(to, rig.owners(room.name()).get(0).name);
       requireAllPlay(rig);
