@@ -159,7 +159,7 @@ final class Followers implements AutoCloseable {
     if (claim.gathersNs == 0) {
       claim.gathersNs = nowNs;
     }
-    return nowNs - claim.gathersNs > GATHER_NS || room.countWithout(claim.standbys) == 0;
+    return nowNs - claim.gathersNs > GATHER_NS || claim.standbys.containsAll(room.linked());
   }
 
   private static int players(FleetRoom room) {
@@ -176,12 +176,12 @@ final class Followers implements AutoCloseable {
     return there != null
         && there.record().server() != lease.number()
         && there.record().isBuilt()
-        && one.room.clients() == 0;
+        && one.room.linked().isEmpty();
   }
 
   /** Closes the links of a room that was handed over, once its clients have gone, or now. */
   private void forgetClients(FleetRoom room, boolean now) {
-    if (now || room.clients() == 0) {
+    if (now || room.linked().isEmpty()) {
       room.closeClients();
       left.remove(room);
     }
