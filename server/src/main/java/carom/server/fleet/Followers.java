@@ -54,6 +54,9 @@ final class Followers implements AutoCloseable {
 
   private static final int FINDS = 20;
 
+  /** Least time between two tries of a room to find a follower, ns. */
+  private static final long FIND_AGAIN_NS = 250_000_000;
+
   /** A room with players on its way to another server. */
   private record Departure(String name, FleetRoom room, long atNs) {}
 
@@ -220,8 +223,11 @@ final class Followers implements AutoCloseable {
             present.name());
         follow(claim, room, other);
       }
-    } else if ((!reached || isLeaving(present)) && mayFind(nowNs)) {
-      follow(claim, room, best(claim, burdens()));
+    } else if (!reached || isLeaving(present)) {
+      ServerRecord other = best(claim, burdens());
+      if (other == null || mayFind(claim, nowNs)) {
+        follow(claim, room, other);
+      }
     }
   }
 
@@ -242,18 +248,20 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns whether another room may find a follower now: within a second all do, one after the
-   * other, because the clients of each open a link to it.
+   * Returns whether a room may find a follower now: within a second all do, one after the other,
+   * because the clients of each open a link to it. One that finds none lets the others go first.
    */
-  private boolean mayFind(long nowNs) {
-    if (isBusy) {
+  private boolean mayFind(Claims.Claim claim, long nowNs) {
+    if (isBusy || (claim.findsNs != 0 && nowNs - claim.findsNs < FIND_AGAIN_NS)) {
       return false;
     }
     if (nowNs - findsNs >= FIND_NS) {
       findsNs = nowNs;
       found = 0;
     }
-    return ++found <= 1 + claims.all().size() / FINDS;
+    boolean may = ++found <= 1 + claims.all().size() / FINDS;
+    claim.findsNs = may ? nowNs : claim.findsNs;
+    return may;
   }
 
   /** Lets a server follow a room, or nobody. */
