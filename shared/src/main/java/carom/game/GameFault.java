@@ -43,20 +43,33 @@ public final class GameFault {
     StackTraceElement[] stack = failure.getStackTrace();
     for (StackTraceElement frame : stack) {
       if (!isOfLibrary(frame.getClassName())) {
-        return failure + ", at " + place(frame) + otherBuild(failure);
+        return failure + ", at " + place(frame) + remedy(failure);
       }
     }
-    return failure + (stack.length == 0 ? "" : ", at " + place(stack[0])) + otherBuild(failure);
+    return failure + (stack.length == 0 ? "" : ", at " + place(stack[0])) + remedy(failure);
   }
 
   /**
-   * Returns what to do about code that was compiled against another Carom, whose classes or methods
-   * this one lacks; empty for any other failure.
+   * Returns what to do about classes or methods that aren't there, of Carom or of a library; empty
+   * for any other failure.
    */
-  public static String otherBuild(Throwable failure) {
+  public static String remedy(Throwable failure) {
     String missing = failure instanceof LinkageError ? failure.getMessage() : null;
-    boolean isOurs = missing != null && (missing.contains("carom.") || missing.contains("carom/"));
-    return isOurs ? "; it was compiled against another Carom: compile it against this one" : "";
+    if (missing == null) {
+      return "";
+    }
+    if (missing.contains("carom.") || missing.contains("carom/")) {
+      return "; it was compiled against another Carom: compile it against this one";
+    }
+    if (!(failure instanceof NoClassDefFoundError) || missing.contains(" ")) {
+      return ""; // a class that is there and can't be used
+    }
+    String library = missing.startsWith("kotlin/") ? " (kotlin-stdlib)" : "";
+    return "; class="
+        + missing.replace('/', '.')
+        + " is in no jar here: put the jar of the library that has it"
+        + library
+        + " beside the game's";
   }
 
   /**

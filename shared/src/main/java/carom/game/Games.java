@@ -141,7 +141,7 @@ public final class Games {
   private static String reason(Error e) {
     Throwable cause = e.getCause();
     return cause == null
-        ? e + GameFault.otherBuild(e)
-        : e.getMessage() + ": " + cause + GameFault.otherBuild(cause);
+        ? e + GameFault.remedy(e)
+        : e.getMessage() + ": " + cause + GameFault.remedy(cause);
   }
 }

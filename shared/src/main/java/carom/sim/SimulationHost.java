@@ -309,7 +309,7 @@ public final class SimulationHost implements Match, Rules {
 
   /**
    * Creates a joint between bodies of the world. Clients mirror and predict it. It goes with either
-   * of its bodies, by {@link #disconnect}, or when it breaks.
+   * of its bodies, when a game destroys it, or when it breaks.
    *
    * @return the joint, whose motor, limits, spring and target may be changed at any time; those
    *     that {@link Game#input} changes are predicted

@@ -113,11 +113,14 @@ public final class GameReport {
       }
     }
     text.append(
-        String.format(
-            Locale.ROOT,
-            "%na tick takes %.3f ms on this machine and allocates %.0f bytes (the engine: 0)%n%n",
-            msPerTick,
-            bytesPerTick));
+        msPerTick > 0
+            ? String.format(
+                Locale.ROOT,
+                "%na tick takes %.3f ms on this machine and allocates %.0f bytes (the engine:"
+                    + " 0)%n%n",
+                msPerTick,
+                bytesPerTick)
+            : String.format(Locale.ROOT, "%na tick wasn't measured, because the game fails%n%n"));
     for (String rule : broken) {
       text.append("rule broken: ").append(rule).append(System.lineSeparator());
     }

@@ -80,6 +80,6 @@ final class GameWatch implements InvocationHandler {
         break;
       }
     }
-    return callback + " throws " + failure + where + GameFault.otherBuild(failure);
+    return callback + " throws " + failure + where + GameFault.remedy(failure);
   }
 }

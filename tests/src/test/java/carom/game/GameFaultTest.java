@@ -68,6 +68,22 @@ class GameFaultTest {
   }
 
   @Test
+  void aLibraryThatIsntThereIsNamedByItsClass() {
+    String kotlin = GameFault.remedy(new NoClassDefFoundError("kotlin/jvm/internal/Intrinsics"));
+    assertTrue(kotlin.contains("class=kotlin.jvm.internal.Intrinsics is in no jar"), kotlin);
+    assertTrue(kotlin.contains("(kotlin-stdlib) beside the game's"), kotlin);
+    String json = GameFault.remedy(new NoClassDefFoundError("org/json/JSONObject"));
+    assertTrue(json.startsWith("; class=org.json.JSONObject is in no jar"), json);
+    for (Throwable other :
+        List.of(
+            new NoClassDefFoundError("Could not initialize class org.json.JSONObject"),
+            new NoClassDefFoundError(),
+            new VerifyError("Bad type on operand stack"))) {
+      assertEquals("", GameFault.remedy(other), other::toString);
+    }
+  }
+
+  @Test
   void whatViewsDeclareWronglyNamesTheLineOfTheView() {
     ViewSetup v = new ViewSetup();
     List<Executable> mistakes =

@@ -212,6 +212,10 @@ public final class FleetMember implements AutoCloseable {
     Claims.Claim claim = claims.of(frame.room());
     if (claim != null && claim.follower == server) {
       claim.standbys.add(frame.number());
+      FleetRoom room = host == null ? null : host.room(frame.room());
+      if (room != null && claim.standbys.size() > 2 * room.entry().places()) {
+        claim.standbys.retainAll(room.linked()); // players come and go for weeks
+      }
       changed.run();
     }
   }

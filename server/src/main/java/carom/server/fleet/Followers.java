@@ -54,6 +54,9 @@ final class Followers implements AutoCloseable {
 
   private static final int FINDS = 20;
 
+  /** Least time between two tries of a room to find a follower, ns. */
+  private static final long FIND_AGAIN_NS = 250_000_000;
+
   /** A room with players on its way to another server. */
   private record Departure(String name, FleetRoom room, long atNs) {}
 
@@ -159,7 +162,7 @@ final class Followers implements AutoCloseable {
     if (claim.gathersNs == 0) {
       claim.gathersNs = nowNs;
     }
-    return nowNs - claim.gathersNs > GATHER_NS || room.countWithout(claim.standbys) == 0;
+    return nowNs - claim.gathersNs > GATHER_NS || claim.standbys.containsAll(room.linked());
   }
 
   private static int players(FleetRoom room) {
@@ -176,12 +179,12 @@ final class Followers implements AutoCloseable {
     return there != null
         && there.record().server() != lease.number()
         && there.record().isBuilt()
-        && one.room.clients() == 0;
+        && one.room.linked().isEmpty();
   }
 
   /** Closes the links of a room that was handed over, once its clients have gone, or now. */
   private void forgetClients(FleetRoom room, boolean now) {
-    if (now || room.clients() == 0) {
+    if (now || room.linked().isEmpty()) {
       room.closeClients();
       left.remove(room);
     }
@@ -220,8 +223,11 @@ final class Followers implements AutoCloseable {
             present.name());
         follow(claim, room, other);
       }
-    } else if ((!reached || isLeaving(present)) && mayFind(nowNs)) {
-      follow(claim, room, best(claim, burdens()));
+    } else if (!reached || isLeaving(present)) {
+      ServerRecord other = best(claim, burdens());
+      if (other == null || mayFind(claim, nowNs)) {
+        follow(claim, room, other);
+      }
     }
   }
 
@@ -242,18 +248,20 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns whether another room may find a follower now: within a second all do, one after the
-   * other, because the clients of each open a link to it.
+   * Returns whether a room may find a follower now: within a second all do, one after the other,
+   * because the clients of each open a link to it. One that finds none lets the others go first.
    */
-  private boolean mayFind(long nowNs) {
-    if (isBusy) {
+  private boolean mayFind(Claims.Claim claim, long nowNs) {
+    if (isBusy || (claim.findsNs != 0 && nowNs - claim.findsNs < FIND_AGAIN_NS)) {
       return false;
     }
     if (nowNs - findsNs >= FIND_NS) {
       findsNs = nowNs;
       found = 0;
     }
-    return ++found <= 1 + claims.all().size() / FINDS;
+    boolean may = ++found <= 1 + claims.all().size() / FINDS;
+    claim.findsNs = may ? nowNs : claim.findsNs;
+    return may;
   }
 
   /** Lets a server follow a room, or nobody. */

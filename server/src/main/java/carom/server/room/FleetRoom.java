@@ -79,20 +79,17 @@ public interface FleetRoom {
    */
   void followedBy(SlotDisk disk, SlotLink link, int seconds, boolean waits);
 
-  /**
-   * Returns how many clients play that don't stand by at a server, so that it can't speak to them.
-   *
-   * @param standbys secrets of the sessions whose clients do
-   */
-  int countWithout(Set<Long> standbys);
-
-  /** Returns how many clients have links to the room, of Carom's own. */
-  int clients();
+  /** Returns the secrets of the sessions whose clients, of Carom's own, have links to the room. */
+  Set<Long> linked();
 
   /** Closes the links of all clients. */
   void closeClients();
 
-  /** Sends clients that don't stand by to the server that is about to have the room. */
+  /**
+   * Sends clients to the server that is about to have the room, because it can't speak to them.
+   *
+   * @param standbys secrets of the sessions whose clients stand by there, and aren't sent
+   */
   void sendOn(ServerMessage.Move move, Set<Long> standbys);
 
   /**

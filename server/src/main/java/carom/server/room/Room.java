@@ -298,8 +298,8 @@ public final class Room implements FleetRoom {
   }
 
   @Override
-  public int clients() {
-    return parts.sessions.clients();
+  public Set<Long> linked() {
+    return parts.sessions.linked();
   }
 
   @Override
@@ -308,13 +308,8 @@ public final class Room implements FleetRoom {
   }
 
   @Override
-  public int countWithout(Set<Long> standbys) {
-    return parts.sessions.without(standbys).size();
-  }
-
-  @Override
   public void sendOn(ServerMessage.Move move, Set<Long> standbys) {
-    parts.sessions.without(standbys).forEach(session -> session.send(move));
+    parts.sessions.sendToOthers(move, standbys);
   }
 
   @Override

@@ -9,6 +9,7 @@ import carom.server.session.Session;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.slf4j.Logger;
@@ -78,28 +79,24 @@ final class RoomSessions {
     }
   }
 
-  /** Returns how many clients of Carom have open links; from any thread. */
-  int clients() {
-    int clients = 0;
+  /** Returns the secrets of the sessions whose clients can stand by; from any thread. */
+  Set<Long> linked() {
+    Set<Long> linked = new HashSet<>();
     for (Session session : bySeat) {
-      clients += session != null && session.mayStandBy() && session.isLinkOpen() ? 1 : 0;
-    }
-    return clients;
-  }
-
-  /**
-   * Returns the sessions whose clients know how to stand by, but don't; from any thread.
-   *
-   * @param standbys secrets of the sessions whose clients do
-   */
-  List<Session> without(Set<Long> standbys) {
-    List<Session> without = new ArrayList<>();
-    for (Session session : bySeat) {
-      if (session != null && session.mayStandBy() && !standbys.contains(session.secret())) {
-        without.add(session);
+      if (session != null && session.mayStandBy()) {
+        linked.add(session.secret());
       }
     }
-    return without;
+    return linked;
+  }
+
+  /** Sends a message to those of {@link #linked} whose secrets aren't among some; any thread. */
+  void sendToOthers(ServerMessage message, Set<Long> secrets) {
+    for (Session session : bySeat) {
+      if (session != null && session.mayStandBy() && !secrets.contains(session.secret())) {
+        session.send(message);
+      }
+    }
   }
 
   void clear() {

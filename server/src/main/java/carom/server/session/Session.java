@@ -394,15 +394,13 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Returns whether the present link is usable; from any thread. */
-  public boolean isLinkOpen() {
-    Link present = link;
-    return present != null && present.state() == Link.State.OPEN;
-  }
-
-  /** Returns whether a client of Carom plays, which stands by at the room's follower. */
+  /** Returns whether a client of Carom plays, which can stand by at a server; from any thread. */
   public boolean mayStandBy() {
-    return !bot && link != null && link.door() == Link.Door.OWN;
+    Link present = link;
+    return !bot
+        && present != null
+        && present.door() == Link.Door.OWN
+        && present.state() == Link.State.OPEN;
   }
 
   /** Returns the door by which the client has come; the own one without a link. */

@@ -434,17 +434,12 @@ final class ToyFleet implements AutoCloseable {
     }
 
     @Override
-    public int clients() {
-      return 0; // toy players have none
+    public Set<Long> linked() {
+      return Set.of(); // toy players have no clients
     }
 
     @Override
     public void closeClients() {}
-
-    @Override
-    public int countWithout(Set<Long> standbys) {
-      return 0;
-    }
 
     @Override
     public void sendOn(ServerMessage.Move move, Set<Long> standbys) {}

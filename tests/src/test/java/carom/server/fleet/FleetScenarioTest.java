@@ -612,6 +612,41 @@ class FleetScenarioTest {
   }
 
   @Test
+  void serversLeaveUntilOneIsLeft() throws Exception {
+    Random random = FleetRig.draws();
+    for (int draw = 0; draw < 3; draw++) {
+      try (FleetRig rig = new FleetRig(folder.resolve("draw" + draw), 4)) {
+        List<FleetRig.Node> servers = new ArrayList<>();
+        for (String name : List.of("a", "b", "c", "d").subList(0, 2 + random.nextInt(3))) {
+          servers.add(rig.node(name, 1 + random.nextInt(3)));
+        }
+        rig.run(1);
+        int players = random.nextInt(6);
+        for (int i = 0; i < players; i++) {
+          rig.client("bot" + i, servers.get(random.nextInt(servers.size())).name);
+          rig.run(0.2);
+        }
+        rig.run(2);
+        while (servers.size() > 1) {
+          FleetRig.Node leaving = servers.remove(random.nextInt(servers.size()));
+          leaving.member.drain();
+          double seconds = 0;
+          while (!leaving.member.isDrained()) {
+            rig.run(0.05);
+            seconds += 0.05;
+            assertTrue(seconds < 4, leaving.name + " doesn't leave " + servers.size() + " others");
+          }
+          leaving.leave();
+          rig.run(2.5 * random.nextDouble());
+        }
+        rig.run(1);
+        requireAllPlay(rig);
+        assertEquals(rig.rooms().size(), servers.get(0).server.rooms().size());
+      }
+    }
+  }
+
+  @Test
   void aServerThatIsAloneStopsAtOnce() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {
       FleetRig.Node node = rig.node("a", 1);
