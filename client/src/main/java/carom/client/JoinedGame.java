@@ -68,9 +68,6 @@ final class JoinedGame {
   private final Input input = new Input();
   private final int tickRate;
   private final int playerId;
-  private final int incarnation;
-  private final String room;
-  private final int match;
   private final Level level;
   private final ServerMessage.Welcome welcome;
 
@@ -111,9 +108,6 @@ final class JoinedGame {
     this.failure = failure;
     stats.viewsNarrow(false);
     playerId = welcome.playerId();
-    incarnation = welcome.incarnation();
-    room = welcome.room();
-    match = welcome.match();
     this.level = level;
     this.welcome = welcome;
     this.source = source;
@@ -390,15 +384,16 @@ final class JoinedGame {
 
   /** Returns whether another link goes on with the match of this stay, in the same seat. */
   boolean goesOn(ServerMessage.Welcome next, Level nextLevel) {
-    return next.room().equals(room)
-        && next.match() == match
-        && next.playerId() == playerId
-        && nextLevel == level;
+    return isSameMatch(next) && next.playerId() == playerId && nextLevel == level;
+  }
+
+  private boolean isSameMatch(ServerMessage.Welcome next) {
+    return next.room().equals(welcome.room()) && next.match() == welcome.match();
   }
 
   /** Returns which run of the server the stay belongs to. */
   int incarnation() {
-    return incarnation;
+    return welcome.incarnation();
   }
 
   /**
@@ -408,8 +403,7 @@ final class JoinedGame {
    * @param next of the link after this one
    */
   int ticksLost(ServerMessage.Welcome next) {
-    boolean another =
-        next.room().equals(room) && next.match() == match && next.incarnation() != incarnation;
+    boolean another = isSameMatch(next) && next.incarnation() != welcome.incarnation();
     return another ? Math.max(0, decoder.newestTick() - next.courseTick()) : 0;
   }
 

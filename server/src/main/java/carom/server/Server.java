@@ -703,7 +703,7 @@ public final class Server implements AutoCloseable, RoomKeeper, RoomHost {
       if (shift != null) {
         shift.stop();
       }
-      room.closeHandedOver();
+      room.closeArrivals();
     }
   }
 

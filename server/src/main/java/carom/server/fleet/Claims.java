@@ -40,9 +40,6 @@ final class Claims {
     /** Since when the room could move, but for its clients, ns; 0 for not yet. */
     long gathersNs;
 
-    /** When the room looked for a follower last, ns; 0 for never. */
-    long findsNs;
-
     /** When the follower could go on with the room last, ns. */
     long followedNs;
 

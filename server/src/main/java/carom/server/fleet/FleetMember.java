@@ -115,7 +115,7 @@ public final class FleetMember implements AutoCloseable {
             following,
             returning,
             asks,
-            this::tell,
+            (server, frame) -> peers.tell(server, frame),
             this::lookersChanged);
     announcer = new Announcer(this.directory, settings, clock, lease, claims, view, placement);
     figures =
@@ -217,14 +217,6 @@ public final class FleetMember implements AutoCloseable {
         claim.standbys.retainAll(room.linked()); // players come and go for weeks
       }
       changed.run();
-    }
-  }
-
-  private void tell(long server, PeerFrame frame) {
-    try {
-      peers.send(server, frame);
-    } catch (IOException e) {
-      LOG.debug("fleet: {}", e.getMessage());
     }
   }
 

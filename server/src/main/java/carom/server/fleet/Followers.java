@@ -36,6 +36,14 @@ final class Followers implements AutoCloseable {
   /** Longest time for which rooms wait for another one that moves, and for its clients, ns. */
   private static final long MOVE_NS = 1_000_000_000;
 
+  /** Longest time for which a room that moves waits for its clients to stand by there, ns. */
+  private static final long GATHER_NS = 5_000_000_000L;
+
+  /** Time in which one room in {@link #FINDS} finds a follower, ns. */
+  private static final long FIND_NS = 50_000_000;
+
+  private static final int FINDS = 20;
+
   private final Claims claims;
   private final FleetView view;
   private final Peers peers;
@@ -45,17 +53,6 @@ final class Followers implements AutoCloseable {
   private final LongSupplier clock;
   private final Executor asks;
   private final FleetNews news;
-
-  /** Longest time for which a room that moves waits for its clients to stand by there, ns. */
-  private static final long GATHER_NS = 5_000_000_000L;
-
-  /** Time in which one room in {@link #FINDS} finds a follower, ns. */
-  private static final long FIND_NS = 50_000_000;
-
-  private static final int FINDS = 20;
-
-  /** Least time between two tries of a room to find a follower, ns. */
-  private static final long FIND_AGAIN_NS = 250_000_000;
 
   /** A room with players on its way to another server. */
   private record Departure(String name, FleetRoom room, long atNs) {}
@@ -171,8 +168,7 @@ final class Followers implements AutoCloseable {
 
   /**
    * Returns whether a room plays at another server, and its clients have gone there. Others wait
-   * for it, as many as processors can't serve: side by side, each would take as long as all, and
-   * its players wait for it.
+   * until then: more of them than processors, side by side, would each take as long as all.
    */
   private boolean isThere(Departure one) {
     FleetView.OwnedRoom there = view.rooms().get(one.name);
@@ -225,7 +221,7 @@ final class Followers implements AutoCloseable {
       }
     } else if (!reached || isLeaving(present)) {
       ServerRecord other = best(claim, burdens());
-      if (other == null || mayFind(claim, nowNs)) {
+      if (other == null || takeTurn(nowNs)) {
         follow(claim, room, other);
       }
     }
@@ -248,20 +244,18 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns whether a room may find a follower now: within a second all do, one after the other,
-   * because the clients of each open a link to it. One that finds none lets the others go first.
+   * Lets a room find a follower now, or says that others have come first: within a second all do,
+   * one after the other, because the clients of each open a link to it.
    */
-  private boolean mayFind(Claims.Claim claim, long nowNs) {
-    if (isBusy || (claim.findsNs != 0 && nowNs - claim.findsNs < FIND_AGAIN_NS)) {
+  private boolean takeTurn(long nowNs) {
+    if (isBusy) {
       return false;
     }
     if (nowNs - findsNs >= FIND_NS) {
       findsNs = nowNs;
       found = 0;
     }
-    boolean may = ++found <= 1 + claims.all().size() / FINDS;
-    claim.findsNs = may ? nowNs : claim.findsNs;
-    return may;
+    return ++found <= 1 + claims.all().size() / FINDS;
   }
 
   /** Lets a server follow a room, or nobody. */
@@ -285,7 +279,7 @@ final class Followers implements AutoCloseable {
     PeerFrame ask = PeerFrame.of(PeerFrame.Kind.FOLLOW, claim.number(), claim.room(), record);
     SlotDisk disk =
         disks.computeIfAbsent(server.lease(), number -> disk(room.tickRateHz(), server));
-    disk.write(() -> claim.unasked = !tell(server.lease(), ask));
+    disk.write(() -> claim.unasked = !peers.tell(server.lease(), ask));
     room.followedBy(
         disk,
         peers.journal(server, claim.room()),
@@ -299,7 +293,7 @@ final class Followers implements AutoCloseable {
     SlotDisk disk = disks.get(former);
     if (disk != null && peers.isReached(former)) {
       PeerFrame end = PeerFrame.of(PeerFrame.Kind.END, 0, claim.room(), new byte[0]);
-      disk.write(() -> tell(former, end));
+      disk.write(() -> peers.tell(former, end));
     }
   }
 
@@ -310,17 +304,6 @@ final class Followers implements AutoCloseable {
     }
     LOG.debug("fleet: journals go to {}", server.name());
     return disk;
-  }
-
-  /** Tells a server something. It may wait while that server is slow: not on the fleet's thread. */
-  private boolean tell(long server, PeerFrame frame) {
-    try {
-      peers.send(server, frame);
-      return true;
-    } catch (IOException e) {
-      LOG.debug("fleet: {}", e.getMessage());
-      return false;
-    }
   }
 
   /**

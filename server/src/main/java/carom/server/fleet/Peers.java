@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Set;
+import org.slf4j.LoggerFactory;
 
 /** The links of a server to the others of its fleet. */
 public interface Peers extends AutoCloseable {
@@ -42,6 +43,17 @@ public interface Peers extends AutoCloseable {
    * @throws IOException if there is no link
    */
   void send(long server, PeerFrame frame) throws IOException;
+
+  /** Does as {@link #send}, and returns whether there is a link. */
+  default boolean tell(long server, PeerFrame frame) {
+    try {
+      send(server, frame);
+      return true;
+    } catch (IOException e) {
+      LoggerFactory.getLogger(Peers.class).debug("fleet: {}", e.getMessage());
+      return false;
+    }
+  }
 
   /**
    * Asks a server to say when it has done all that it was told. Returns at once, unless that server

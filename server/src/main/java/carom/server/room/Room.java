@@ -506,9 +506,9 @@ public final class Room implements FleetRoom {
         });
   }
 
-  /** Closes the links of a room that was handed over; from any thread. */
-  public void closeHandedOver() {
-    end.closeHandedOver();
+  /** Closes the links of those who are about to enter a room that was handed over; any thread. */
+  public void closeArrivals() {
+    end.closeArrivals();
   }
 
   @Override

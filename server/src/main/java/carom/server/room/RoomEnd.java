@@ -72,8 +72,8 @@ final class RoomEnd {
     }
   }
 
-  /** Closes the links of those who came to a room that was handed over; from any thread. */
-  void closeHandedOver() {
+  /** Closes the links of those who are about to enter a room that was handed over; any thread. */
+  void closeArrivals() {
     parts.arrivals.closeLinks("another server has the room");
   }
 

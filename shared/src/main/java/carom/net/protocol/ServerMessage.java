@@ -517,7 +517,8 @@ public sealed interface ServerMessage {
    * @param server as in {@link Redirect}
    * @param fingerprint of the fleet's key, which this server has shown, too
    * @param room name of the room there
-   * @param ticket stands in for the join token there, once and for ten seconds
+   * @param ticket stands in for the join token there, once and for ten seconds; empty where the
+   *     secret is enough, because the session is there by then
    */
   record Move(String server, String fingerprint, String room, String ticket)
       implements ServerMessage {
