@@ -102,8 +102,8 @@ public final class ServerMain implements Callable<Integer> {
   private static final String LOG_CONFIG = "carom-server-logback.xml";
   private static final int FAILED = 1;
 
-  /** Longest time that a server which stops waits for its rooms to move away, ms. */
-  private static final int DRAIN_MS = 5_000;
+  /** Longest time that a server which stops waits for the next of its rooms to move away, ms. */
+  private static final int DRAIN_MS = 8_000;
 
   @Spec private CommandSpec spec;
 

@@ -72,6 +72,8 @@ public final class FleetMember implements AutoCloseable {
   private Takeovers takeovers;
   private volatile RoomHost host; // null until the server has its rooms
   private volatile boolean draining;
+  private int owned; // rooms, in the last turn
+  private volatile long changedNs; // when that was another number last, or a drain began
   private final Balance balance = new Balance();
   private long renewNs;
   private long straysNextNs;
@@ -369,6 +371,10 @@ public final class FleetMember implements AutoCloseable {
     if (closed) {
       return;
     }
+    if (claims.all().size() != owned) {
+      owned = claims.all().size();
+      changedNs = nowNs;
+    }
     try {
       if (nowNs - renewNs >= 0 || isTakenForDead()) {
         renew();
@@ -593,6 +599,7 @@ public final class FleetMember implements AutoCloseable {
   /** Takes no more rooms and players, and begins to move all rooms away. */
   public void drain() {
     draining = true;
+    changedNs = clock.getAsLong();
     announcer.soon(0);
     changed.run();
   }
@@ -608,6 +615,11 @@ public final class FleetMember implements AutoCloseable {
   /** Returns whether this server takes no more rooms and players. */
   public boolean isDraining() {
     return draining;
+  }
+
+  /** Returns for how long no room has come or gone since a drain began, ns. */
+  long stillNs() {
+    return clock.getAsLong() - changedNs;
   }
 
   /**

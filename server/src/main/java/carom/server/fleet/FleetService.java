@@ -197,7 +197,8 @@ public final class FleetService implements AutoCloseable {
   /**
    * Moves all rooms to other servers, and waits until they are gone.
    *
-   * @param mostMs longest time to wait, ms
+   * @param mostMs longest time to wait for the next room to go, ms: a directory may be slow, and
+   *     rooms are many
    * @return whether they are
    */
   public boolean drain(int mostMs) {
@@ -205,8 +206,8 @@ public final class FleetService implements AutoCloseable {
       return true;
     }
     member.drain();
-    long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(mostMs);
-    while (!member.isDrained() && System.nanoTime() - endNs < 0 && !closed) {
+    long mostNs = TimeUnit.MILLISECONDS.toNanos(mostMs);
+    while (!member.isDrained() && member.stillNs() < mostNs && !closed) {
       try {
         Thread.sleep(5);
       } catch (InterruptedException e) {

@@ -54,8 +54,8 @@ final class Followers implements AutoCloseable {
   private final Executor asks;
   private final FleetNews news;
 
-  /** A room with players on its way to another server. */
-  private record Departure(String name, FleetRoom room, long atNs) {}
+  /** A room with players on its way to another server; {@code linked} tells of Carom's clients. */
+  private record Departure(String name, FleetRoom room, boolean linked, long atNs) {}
 
   private final List<Departure> departures = new ArrayList<>();
 
@@ -141,7 +141,7 @@ final class Followers implements AutoCloseable {
             && (players(room) > 0 || !(draining && crowded))
             && isGathered(claim, room, nowNs)) {
           if (players(room) > 0) {
-            departures.add(new Departure(claim.room(), room, nowNs));
+            departures.add(new Departure(claim.room(), room, !room.linked().isEmpty(), nowNs));
           }
           handOver(claim, room);
         }
@@ -167,15 +167,16 @@ final class Followers implements AutoCloseable {
   }
 
   /**
-   * Returns whether a room plays at another server, and its clients have gone there. Others wait
-   * until then: more of them than processors, side by side, would each take as long as all.
+   * Returns whether a room's clients have gone to the other server, which has welcomed them then;
+   * or, where it has only thin clients, whether that server has it. Others wait until then: more of
+   * them than processors, side by side, would each take as long as all.
    */
   private boolean isThere(Departure one) {
+    if (one.linked) {
+      return one.room.linked().isEmpty();
+    }
     FleetView.OwnedRoom there = view.rooms().get(one.name);
-    return there != null
-        && there.record().server() != lease.number()
-        && there.record().isBuilt()
-        && one.room.linked().isEmpty();
+    return there != null && there.record().server() != lease.number() && there.record().isBuilt();
   }
 
   /** Closes the links of a room that was handed over, once its clients have gone, or now. */

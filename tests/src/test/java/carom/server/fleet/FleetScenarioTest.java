@@ -647,6 +647,34 @@ class FleetScenarioTest {
   }
 
   @Test
+  void aServerHasTheTimeThatItsRoomsNeedToGo() throws Exception {
+    try (FleetRig rig = new FleetRig(folder, 1)) {
+      FleetRig.Node leaving = rig.node("a", 8);
+      rig.node("b", 0);
+      rig.run(1);
+      for (int i = 0; i < 8; i++) {
+        rig.client("bot" + i, "a");
+        rig.run(0.2);
+      }
+      rig.run(2);
+      Map<String, String> seats = seats(rig);
+      rig.takeoverS = 0.9;
+      long beganNs = rig.now();
+      leaving.member.drain();
+      while (!leaving.member.isDrained()) {
+        rig.run(0.05);
+        assertTrue(leaving.member.stillNs() < 3e9, "it stands still");
+        assertTrue(rig.now() - beganNs < 30e9, "it never leaves");
+      }
+      assertTrue(rig.now() - beganNs > 5e9, "longer than any room may take");
+      rig.takeoverS = 0;
+      rig.run(1);
+      requireAllPlay(rig);
+      assertEquals(seats, seats(rig));
+    }
+  }
+
+  @Test
   void aServerThatIsAloneStopsAtOnce() throws Exception {
     try (FleetRig rig = new FleetRig(folder, 4)) {
       FleetRig.Node node = rig.node("a", 1);
