@@ -141,7 +141,7 @@ public final class Prediction {
     syncTester = new SyncTester(timeline, inputs, poses);
   }
 
-  /** Returns the newest predicted tick. Valid while {@link #isActive}. */
+  /** Returns the newest predicted tick. Valid while there is an own body to predict. */
   public int tick() {
     return timeline.tick();
   }
