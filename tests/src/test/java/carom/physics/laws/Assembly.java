@@ -7,6 +7,7 @@ import carom.physics.Filter;
 import carom.physics.JointDef;
 import carom.physics.JointType;
 import carom.physics.Material;
+import carom.physics.MotionLocks;
 import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
@@ -92,6 +93,19 @@ final class Assembly {
     if (form == 2 && bodyCount > 2) {
       join(new Random(seed), bodies.get(0), bodies.get(bodyCount - 1));
     }
+  }
+
+  /** Locks the motion of half of its bodies along axes that are drawn, and returns it. */
+  Assembly locked() {
+    Random r = new Random(seed * 0x5851f42d4c957f2dL);
+    r.nextInt();
+    for (Body<String> b : bodies) {
+      MotionLocks locks = new MotionLocks(r.nextBoolean(), r.nextBoolean(), r.nextInt(3) == 0);
+      if (r.nextBoolean()) {
+        b.setMotionLocks(locks);
+      }
+    }
+    return this;
   }
 
   private void add(int i, Random r, int drawn) {

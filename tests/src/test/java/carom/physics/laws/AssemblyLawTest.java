@@ -48,6 +48,24 @@ final class AssemblyLawTest {
     hold(Kind.MIXED, 1000, 250, RARE, AssemblyLawTest::gain);
   }
 
+  @Test
+  void assembliesOfLockedBodiesGainNoEnergy() {
+    Law law = a -> gain(a.locked());
+    hold(Kind.RIGID, 100, 250, RARE, law);
+    hold(Kind.SPRUNG, 100, 250, RARE, law);
+    hold(Kind.MIXED, 100, 250, RARE, law);
+  }
+
+  /** Joints took locked bodies for free ones, and gave them up to 271,000 times their energy. */
+  @ParameterizedTest
+  @CsvSource({
+    "RIGID, 100256", "RIGID, 100264", "RIGID, 100332", "RIGID, 100683", "RIGID, 100842",
+    "RIGID, 100944", "RIGID, 100947", "MIXED, 100033", "MIXED, 100035", "MIXED, 100101"
+  })
+  void lockedAssembliesInTroubleGainNoEnergy(Kind kind, long seed) {
+    assertNull(gain(new Assembly(seed, kind, 10_000, 0).locked()));
+  }
+
   /** What a floor's impulses and errors of position gave them, times what was put in. */
   @ParameterizedTest
   @CsvSource({

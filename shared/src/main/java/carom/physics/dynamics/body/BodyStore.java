@@ -395,6 +395,17 @@ public final class BodyStore {
     return type[slot] == DYNAMIC ? flags[slot] & LINEAR_LOCKS : 0;
   }
 
+  /** Returns whether one of two bodies is locked along an axis; -1 stands for none. */
+  public boolean areLocked(int a, int b) {
+    return locks && ((a >= 0 && linearLocks(a) != 0) || (b >= 0 && linearLocks(b) != 0));
+  }
+
+  /** Returns whether a body is locked along an axis, along which it moves. */
+  public boolean isLockedMotion(int slot) {
+    int axes = locks ? linearLocks(slot) : 0;
+    return ((axes & LOCK_X) != 0 && vx[slot] != 0) || ((axes & LOCK_Y) != 0 && vy[slot] != 0);
+  }
+
   /**
    * Sets which axes of a body's velocity are locked.
    *

@@ -8,9 +8,9 @@ import java.util.Arrays;
  * inverse mass is zero.
  *
  * <p>Blocks with a contact of a locked body are solved without vectors, by code that asks here; the
- * vectors of all other blocks know one mass per body. Joints don't ask. What they, or rounding, add
- * to a locked velocity, {@link #hold} takes back before bodies move. A world without locked bodies
- * asks nothing.
+ * vectors of all other blocks know one mass per body. Joints read the locks of their bodies
+ * themselves. What the nets of joints add to a locked velocity, {@link #hold} takes back before
+ * bodies move. A world without locked bodies asks nothing.
  *
  * <p>Velocities are pairs of floats in the arrays that are given: x, then y.
  */

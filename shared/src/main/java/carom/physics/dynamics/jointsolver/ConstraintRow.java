@@ -56,6 +56,10 @@ import carom.physics.math.Trig;
  * d) x u, sB = rB x u}. Two coordinates that share a lever arm (a point, or the perpendicular and
  * the angle of a slider) are one block with a 2x2 mass.
  *
+ * <p><b>Locked axes.</b> Along an axis of the world on which a body is locked it has no inverse
+ * mass. So {@code 1/mA} is one number per axis: {@code 1 / m = u (1/mA + 1/mB) u + ...}. Where all
+ * that is left of a point's 2x2 mass is one direction, the point is held in that one alone.
+ *
  * <p><b>Rigid</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
  * into the velocity as in contacts (see {@code ContactSolver}), {@code p = -m M (q' + b q) - I P},
  * with the joint's own hertz; after that the row is solved again without (relax), so that no energy
@@ -110,6 +114,9 @@ abstract class ConstraintRow {
    */
   static final float MAX_HERTZ_PER_RATE = 0.25f;
 
+  /** Determinant of what is locked, in squares of the trace, that counts as 0. */
+  private static final float SINGULAR = 1e-6f;
+
   /** Joints to visit. */
   final JointRecords joints;
 
@@ -137,10 +144,20 @@ abstract class ConstraintRow {
   /** Offset of body B. */
   int b;
 
-  /** Inverse masses, 1/kg. */
+  /** Inverse masses, 1/kg; 0 for what can't be moved. */
   float mA;
 
   float mB;
+
+  /** The same along the axes of the world: 0 where a body is locked. */
+  private float mAx;
+
+  private float mAy;
+  private float mBx;
+  private float mBy;
+
+  /** True if a body is locked along an axis. */
+  private boolean locked;
 
   /** Inverse moments of inertia, 1/(kg m^2). */
   float iA;
@@ -177,6 +194,15 @@ abstract class ConstraintRow {
 
   /** Effective mass of the row. */
   float mass;
+
+  /** Inverse mass of two coordinates, K, a symmetric matrix. */
+  float kxx;
+
+  float kxy;
+  float kyy;
+
+  /** Determinant of K; 0 where nothing can be moved. */
+  float determinant;
 
   /** Direction in which a pulley's row pushes A back; u is the one for B. */
   private float wx;
@@ -244,8 +270,25 @@ abstract class ConstraintRow {
     uy = y;
     sA = (rAx + dx) * y - (rAy + dy) * x;
     sB = rBx * y - rBy * x;
-    float inverse = mA + mB + iA * sA * sA + iB * sB * sB;
+    float inverse = massesAlong(x, y) + iA * sA * sA + iB * sB * sB;
     mass = inverse > 0 ? 1 / inverse : 0;
+  }
+
+  /** Returns the sum of the bodies' inverse masses along a unit vector, 1/kg. */
+  final float massesAlong(float x, float y) {
+    return locked ? (mAx + mBx) * (x * x) + (mAy + mBy) * (y * y) : mA + mB;
+  }
+
+  /** Returns the mean of these sums over all directions, 1/kg. */
+  final float meanOfMasses() {
+    return locked ? 0.5f * ((mAx + mBx) + (mAy + mBy)) : mA + mB;
+  }
+
+  /** Returns the inverse masses of both ends of a row with a direction of A of its own, 1/kg. */
+  final float massesAlong(float backX, float backY, float x, float y) {
+    return locked
+        ? (mAx * (backX * backX) + mAy * (backY * backY)) + (mBx * (x * x) + mBy * (y * y))
+        : mA * (backX * backX + backY * backY) + mB * (x * x + y * y);
   }
 
   final float rowSpeed() {
@@ -264,13 +307,13 @@ abstract class ConstraintRow {
    */
   final void applyRowImpulse(float p) {
     if (mA != 0) {
-      v[a + VX] -= mA * p * (split ? wx : ux);
-      v[a + VY] -= mA * p * (split ? wy : uy);
+      v[a + VX] -= mAx * p * (split ? wx : ux);
+      v[a + VY] -= mAy * p * (split ? wy : uy);
       v[a + W] -= iA * p * sA;
     }
     if (mB != 0) {
-      v[b + VX] += mB * p * ux;
-      v[b + VY] += mB * p * uy;
+      v[b + VX] += mBx * p * ux;
+      v[b + VY] += mBy * p * uy;
       v[b + W] += iB * p * sB;
     }
   }
@@ -303,16 +346,40 @@ abstract class ConstraintRow {
     rAy += dy;
   }
 
+  /** Finds K of a point at which both impulses act, 1/kg. */
+  final void measurePointMass() {
+    kxx = (mAx + mBx) + iA * rAy * rAy + iB * rBy * rBy;
+    kxy = -iA * rAx * rAy - iB * rBx * rBy;
+    kyy = (mAy + mBy) + iA * rAx * rAx + iB * rBx * rBx;
+  }
+
+  /**
+   * Finds the determinant of K. Locks can leave one direction n in which the coordinates move, K =
+   * k n n. Its inverse there is K / trace^2; so both axes change places, and the determinant is
+   * that square.
+   */
+  final void invert() {
+    determinant = kxx * kyy - kxy * kxy;
+    float trace = kxx + kyy;
+    if (locked && !(determinant > SINGULAR * trace * trace)) {
+      float other = kxx;
+      kxx = kyy;
+      kyy = other;
+      kxy = -kxy;
+      determinant = trace * trace;
+    }
+  }
+
   /** Applies an impulse at the anchors. */
   final void applyImpulse(float px, float py) {
     if (mA != 0) {
-      v[a + VX] -= mA * px;
-      v[a + VY] -= mA * py;
+      v[a + VX] -= mAx * px;
+      v[a + VY] -= mAy * py;
       v[a + W] -= iA * (rAx * py - rAy * px);
     }
     if (mB != 0) {
-      v[b + VX] += mB * px;
-      v[b + VY] += mB * py;
+      v[b + VX] += mBx * px;
+      v[b + VY] += mBy * py;
       v[b + W] += iB * (rBx * py - rBy * px);
     }
   }
@@ -437,6 +504,12 @@ abstract class ConstraintRow {
     mB = d[at + MASS_B];
     iA = d[at + INERTIA_A];
     iB = d[at + INERTIA_B];
+    int locks = joints.locks[k];
+    locked = locks != 0;
+    mAx = (locks & JointRecords.LOCK_AX) == 0 ? mA : 0;
+    mAy = (locks & JointRecords.LOCK_AY) == 0 ? mA : 0;
+    mBx = (locks & JointRecords.LOCK_BX) == 0 ? mB : 0;
+    mBy = (locks & JointRecords.LOCK_BY) == 0 ? mB : 0;
     angular = d[at + ANGULAR];
     if (joints.measured[k] != joints.poses()) {
       joints.measured[k] = joints.poses();

@@ -53,9 +53,9 @@ import java.util.function.IntPredicate;
  * <p><b>Plain</b> groups aren't watched: chains and nets of hinges and rods, without trees. They
  * keep more of what turns when their guess isn't weighed, and a net of 10,000 has no time to lose.
  * Bodies of uneven masses are watched: rods of 8 to 1 made a third of their energy. So are those
- * that fly with anchors far outside: of 1,000 such chains 12 made up to all of theirs. A plain
- * group that is held and turns fast, or touches far heavier bodies is compared at the step's end,
- * as all others are.
+ * that fly with anchors far outside: of 1,000 such chains 12 made up to all of theirs; and those
+ * with locked bodies. A plain group that is held and turns fast, or touches far heavier bodies is
+ * compared at the step's end, as all others are.
  *
  * <p>The groups follow from the awake joints, and are no state. Sums are in the order of joints.
  */
@@ -172,7 +172,7 @@ final class JointGroups {
   /** Per group: whether a tree solves joints of it. */
   private boolean[] hasTree = new boolean[0];
 
-  /** Per group: whether it isn't held by what can't be moved. */
+  /** Per group: whether it isn't held by what can't be moved, and isn't locked. */
   private boolean[] isFree = new boolean[0];
 
   /** Per group: whether motors may give it energy, or what draws a body to a point. */
@@ -220,7 +220,7 @@ final class JointGroups {
   /** Per group: whether it gets more visits already where these change little. */
   private boolean[] isFine = new boolean[0];
 
-  /** Per group: whether it is held by what moves and can't be moved. */
+  /** Per group: whether it is held by what moves and can't be moved, or moves along locks. */
   private boolean[] isCarried = new boolean[0];
 
   /** Per group: whether biased visits still change much. */
@@ -320,11 +320,13 @@ final class JointGroups {
     for (int i = 0; i < n; i++) {
       int g = groupOfJoint(found[i]);
       boolean tree = trees.has(found[i]);
-      isPlain[g] &= !tree && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
+      boolean locked = bodies.areLocked(joints.bodyA[found[i]], joints.bodyB[found[i]]);
+      isPlain[g] &= !tree && !locked && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
       isLong[g] |= isPlain[g] && isLong(found[i]);
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
+      isFree[g] &= !locked;
       if (!isMovable(joints.bodyA[found[i]]) || !isMovable(joints.bodyB[found[i]])) {
         isFree[g] = false;
         held[heldCount++] = found[i];
@@ -534,6 +536,9 @@ final class JointGroups {
         isCarried[groupOfJoint(held[i])] = true;
       }
     }
+    for (int i = 0; bodies.anyLinearLocks() && i < watched; i++) {
+      isCarried[groupOf[i]] |= isMoving(body[i]);
+    }
     for (int g = 0; g < count; g++) {
       isSprung[g] &= !isFed[g] && !isCarried[g];
     }
@@ -553,11 +558,12 @@ final class JointGroups {
     inertia[member] = bodies.invInertia[slot] > 0 ? 1.0 / bodies.invInertia[slot] : 0;
   }
 
-  /** Returns whether a body moves that can't be moved. */
+  /** Returns whether a body moves where it can't be moved. */
   private boolean isMoving(int slot) {
     return slot >= 0
-        && bodies.invMass[slot] == 0
-        && (bodies.vx[slot] != 0 || bodies.vy[slot] != 0 || bodies.w[slot] != 0);
+        && (bodies.invMass[slot] == 0
+            ? bodies.vx[slot] != 0 || bodies.vy[slot] != 0 || bodies.w[slot] != 0
+            : bodies.isLockedMotion(slot));
   }
 
   /** Returns the number of groups. */

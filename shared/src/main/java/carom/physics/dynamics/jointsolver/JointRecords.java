@@ -1,5 +1,6 @@
 package carom.physics.dynamics.jointsolver;
 
+import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.jointtree.JointFrame;
 
@@ -75,10 +76,10 @@ final class JointRecords {
   static final int POINT_XY = 24;
   static final int POINT_YY = 25;
 
-  /** Inverse of its determinant, less softness, kg^2. */
+  /** Inverse of its determinant, less softness, kg^2; see {@link ConstraintRow#pointRow}. */
   static final int POINT_SOFT = 26;
 
-  /** Inverse of its determinant, kg^2. */
+  /** The same without softness, kg^2. */
   static final int POINT_RIGID = 27;
 
   /** Lever arm of A at which the impulse of the point acts, m. */
@@ -119,6 +120,13 @@ final class JointRecords {
   /** Floats of a row. */
   static final int ROW = 6;
 
+  // Bits of locked axes.
+
+  static final byte LOCK_AX = 1;
+  static final byte LOCK_AY = 2;
+  static final byte LOCK_BX = 4;
+  static final byte LOCK_BY = 8;
+
   // Kinds of joints by what a visit does.
 
   /** Kind: any joint. */
@@ -127,7 +135,7 @@ final class JointRecords {
   /** Kind: a hinge without limit, motor, teeth or turns to count. It may have a spring. */
   static final byte HINGE = 1;
 
-  /** Kind: a distance joint that is a spring and nothing else. */
+  /** Kind: a distance joint of bodies without locks that is a spring and nothing else. */
   static final byte SPRING = 2;
 
   /** Kind: a hinge that has two limits and is nothing else. */
@@ -143,6 +151,9 @@ final class JointRecords {
   int[] bodyA = new int[0];
 
   int[] bodyB = new int[0];
+
+  /** Per joint: bits of the axes along which its bodies are locked, which have no inverse mass. */
+  byte[] locks = new byte[0];
 
   /** Per joint: whether {@code TreeSolver} solves its point. */
   boolean[] inTree = new boolean[0];
@@ -186,6 +197,7 @@ final class JointRecords {
       joint = new int[n];
       bodyA = new int[n];
       bodyB = new int[n];
+      locks = new byte[n];
       inTree = new boolean[n];
       plain = new boolean[n];
       pointed = new boolean[n];
@@ -224,12 +236,18 @@ final class JointRecords {
     joint[k] = slot;
     bodyA[k] = f.offsetA;
     bodyB[k] = f.offsetB;
+    locks[k] = 0;
+    locks[k] |= (f.locksA & BodyStore.LOCK_X) != 0 ? LOCK_AX : 0;
+    locks[k] |= (f.locksA & BodyStore.LOCK_Y) != 0 ? LOCK_AY : 0;
+    locks[k] |= (f.locksB & BodyStore.LOCK_X) != 0 ? LOCK_BX : 0;
+    locks[k] |= (f.locksB & BodyStore.LOCK_Y) != 0 ? LOCK_BY : 0;
     inTree[k] = tree;
     plain[k] = isPlain;
     pointed[k] = j.type[slot] == JointStore.REVOLUTE || j.type[slot] == JointStore.WELD;
     torn[k] = false;
     sprung[k] = (j.flags[slot] & JointStore.SPRUNG) != 0;
     kind[k] = kindOf(j, slot, tree);
+    kind[k] = kind[k] == SPRING && locks[k] != 0 ? ANY : kind[k];
     measured[k] = 0;
     turned[k] = 0;
     d[at + MASS_A] = f.massA;

@@ -76,6 +76,9 @@ public final class JointSolver {
   /** Slots of the joints to solve, ascending. */
   private int[] found = new int[0];
 
+  /** Per such joint: whether one of its bodies is locked along an axis. */
+  private boolean[] locked = new boolean[0];
+
   /** Groups of these joints. */
   private int[] group = new int[0];
 
@@ -144,11 +147,12 @@ public final class JointSolver {
     if (found.length < j.count()) {
       int capacity = Math.max(j.count(), found.length * 2);
       found = new int[capacity];
+      locked = new boolean[capacity];
       group = new int[capacity];
       place = new int[capacity];
       colouredVersion = -1;
     }
-    anew = colouredVersion != j.version() || trees.areStale(j, bodyStore);
+    anew = colouredVersion != j.version() || trees.areStale(j, bodyStore) || areLocksStale();
     if (anew) {
       colouredVersion = j.version();
       findJoints();
@@ -210,6 +214,20 @@ public final class JointSolver {
     groups.listJoints(order, visits);
   }
 
+  /** Returns whether other joints than those that were found have locked bodies. */
+  private boolean areLocksStale() {
+    for (int i = 0; bodies.anyLinearLocks() && i < count; i++) {
+      if (locked[i] != isLocked(found[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isLocked(int slot) {
+    return bodies.areLocked(store.bodyA[slot], store.bodyB[slot]);
+  }
+
   /** Makes what each worker needs. */
   private void ensureWorkers() {
     int had = visits.length;
@@ -234,6 +252,7 @@ public final class JointSolver {
       if ((isHeld(one) && isHeld(two)) || gone) {
         j.forget(slot);
       } else {
+        locked[count] = isLocked(slot);
         found[count++] = slot;
       }
     }

@@ -137,17 +137,14 @@ final class JointVisit extends ConstraintRow {
   /** Notes the inverse mass of the point at which both impulses of a rigid joint act. */
   private void measurePoint(int at) {
     actAtOnePoint();
-    float masses = mA + mB;
-    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
-    float xy = -iA * rAx * rAy - iB * rBx * rBy;
-    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
-    float determinant = xx * yy - xy * xy;
+    measurePointMass();
+    invert();
     float[] d = joints.data;
     d[at + POINT_AX] = rAx;
     d[at + POINT_AY] = rAy;
-    d[at + POINT_XX] = xx;
-    d[at + POINT_XY] = xy;
-    d[at + POINT_YY] = yy;
+    d[at + POINT_XX] = kxx;
+    d[at + POINT_XY] = kxy;
+    d[at + POINT_YY] = kyy;
     d[at + POINT_SOFT] = determinant > 0 ? massScale / determinant : 0;
     d[at + POINT_RIGID] = determinant > 0 ? 1 / determinant : 0;
   }
@@ -532,7 +529,7 @@ final class JointVisit extends ConstraintRow {
     float r = j.ratio[slot];
     float armA = rAx * y - rAy * x + r;
     float armB = (rBx - dx) * y - (rBy - dy) * x + r;
-    row(x, y, armA, armB, mA + mB + iA * armA * armA + iB * armB * armB);
+    row(x, y, armA, armB, massesAlong(x, y) + iA * armA * armA + iB * armB * armB);
     double angle = -j.windB(slot, angle(k));
     return (float) (x * dx + y * dy - j.rest[slot] - r * angle);
   }
@@ -557,7 +554,7 @@ final class JointVisit extends ConstraintRow {
     float backY = -ropeAy * inverseA;
     float armA = rAx * backY - rAy * backX;
     float armB = rBx * y - rBy * x;
-    float inverse = mA * (backX * backX + backY * backY) + mB * (x * x + y * y);
+    float inverse = massesAlong(backX, backY, x, y);
     row(x, y, armA, armB, inverse + iA * armA * armA + iB * armB * armB);
     splitRow(backX, backY);
     return lengthA + r * lengthB;
@@ -631,7 +628,7 @@ final class JointVisit extends ConstraintRow {
     float along = rAx * uy - rAy * ux;
     float armA = wheel || slider ? along * along : 0.5f * (rAx * rAx + rAy * rAy);
     float armB = slider ? sB * sB : 0.5f * (rBx * rBx + rBy * rBy);
-    float inverse = mA + mB + iA * armA + iB * armB;
+    float inverse = meanOfMasses() + iA * armA + iB * armB;
     return inverse > 0 ? 1 / inverse : 0;
   }
 
@@ -696,7 +693,7 @@ final class JointVisit extends ConstraintRow {
       actAtB();
       float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
       float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
-      float inverse = mA + mB + 0.5f * iA * (rAx * rAx + rAy * rAy);
+      float inverse = meanOfMasses() + 0.5f * iA * (rAx * rAx + rAy * rAy);
       inverse += 0.5f * iB * (rBx * rBx + rBy * rBy);
       float mean = inverse > 0 ? 1 / inverse : 0;
       sum += heldBy(mean, dx, j.hertz[slot], vx) + heldBy(mean, dy, j.hertz[slot], vy);
@@ -747,18 +744,15 @@ final class JointVisit extends ConstraintRow {
     actAtB();
     float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
     float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
-    float masses = mA + mB;
-    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
-    float xy = -iA * rAx * rAy - iB * rBx * rBy;
-    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
-    float determinant = xx * yy - xy * xy;
+    measurePointMass();
+    invert();
     float inverse = determinant > 0 ? 1 / determinant : 0;
     float oldX = j.impulseX[slot];
     float oldY = j.impulseY[slot];
     limitPoint(
         slot,
-        oldX - inverse * (yy * vx - xy * vy),
-        oldY - inverse * (xx * vy - xy * vx),
+        oldX - inverse * (kyy * vx - kxy * vy),
+        oldY - inverse * (kxx * vy - kxy * vx),
         j.maxForce[slot]);
     applyImpulse(j.impulseX[slot] - oldX, j.impulseY[slot] - oldY);
   }
@@ -799,20 +793,17 @@ final class JointVisit extends ConstraintRow {
     float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
     float oh = swing(j.hertz[slot]);
     float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * j.damping[slot]);
-    float masses = mA + mB;
-    float xx = masses + iA * rAy * rAy + iB * rBy * rBy;
-    float xy = -iA * rAx * rAy - iB * rBx * rBy;
-    float yy = masses + iA * rAx * rAx + iB * rBx * rBx;
-    float mean = xx + yy > 0 ? 2 / (xx + yy) : 0;
+    measurePointMass();
+    float mean = kxx + kyy > 0 ? 2 / (kxx + kyy) : 0;
     float pull = mean * oh * oh * inverseH;
     float damp = mean * soft;
     float oldX = j.impulseX[slot];
     float oldY = j.impulseY[slot];
     float wantX = pull * joints.stretchX[k] + damp * vx + oldX;
     float wantY = pull * joints.stretchY[k] + damp * vy + oldY;
-    xx = 1 + damp * xx;
-    xy = damp * xy;
-    yy = 1 + damp * yy;
+    float xx = 1 + damp * kxx;
+    float xy = damp * kxy;
+    float yy = 1 + damp * kyy;
     float inverse = 1 / (xx * yy - xy * xy);
     float x = oldX - inverse * (yy * wantX - xy * wantY);
     float y = oldY - inverse * (xx * wantY - xy * wantX);
@@ -834,16 +825,16 @@ final class JointVisit extends ConstraintRow {
       scale = massScale;
       leak = impulseScale;
     }
-    float xx = mA + mB + iA * sA * sA + iB * sB * sB;
-    float xy = iA * sA + iB * sB;
-    float yy = iA + iB;
-    if (yy == 0) {
-      yy = 1;
+    kxx = massesAlong(ux, uy) + iA * sA * sA + iB * sB * sB;
+    kxy = iA * sA + iB * sB;
+    kyy = iA + iB;
+    if (kyy == 0) {
+      kyy = 1;
     }
-    float determinant = xx * yy - xy * xy;
+    invert();
     float inverse = determinant > 0 ? scale / determinant : 0;
-    float p = -inverse * (yy * first - xy * second) - leak * j.impulseX[slot];
-    float torque = -inverse * (xx * second - xy * first) - leak * j.impulseY[slot];
+    float p = -inverse * (kyy * first - kxy * second) - leak * j.impulseX[slot];
+    float torque = -inverse * (kxx * second - kxy * first) - leak * j.impulseY[slot];
     j.impulseX[slot] += p;
     j.impulseY[slot] += torque;
     applyRowImpulse(p);

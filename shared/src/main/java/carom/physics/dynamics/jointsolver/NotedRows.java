@@ -105,14 +105,15 @@ final class NotedRows {
     j.impulseY[slot] = oldY + py;
     float mA = d[at + MASS_A];
     float mB = d[at + MASS_B];
+    int locks = joints.locks[k];
     if (mA != 0) {
-      s[a + VX] -= mA * px;
-      s[a + VY] -= mA * py;
+      s[a + VX] -= (locks & JointRecords.LOCK_AX) == 0 ? mA * px : 0;
+      s[a + VY] -= (locks & JointRecords.LOCK_AY) == 0 ? mA * py : 0;
       s[a + W] -= d[at + INERTIA_A] * (rAx * py - rAy * px);
     }
     if (mB != 0) {
-      s[b + VX] += mB * px;
-      s[b + VY] += mB * py;
+      s[b + VX] += (locks & JointRecords.LOCK_BX) == 0 ? mB * px : 0;
+      s[b + VY] += (locks & JointRecords.LOCK_BY) == 0 ? mB * py : 0;
       s[b + W] += d[at + INERTIA_B] * (rBx * py - rBy * px);
     }
   }

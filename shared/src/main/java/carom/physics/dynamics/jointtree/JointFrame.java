@@ -23,6 +23,11 @@ public final class JointFrame {
   public float inertiaA;
   public float inertiaB;
 
+  /** Axes along which the bodies' velocities are locked, see {@link BodyStore#linearLocks}. */
+  public int locksA;
+
+  public int locksB;
+
   /** Rotations of the bodies. */
   public float cosA;
 
@@ -55,12 +60,14 @@ public final class JointFrame {
     offsetB = slotOf[two] * STRIDE;
     massB = bodies.invMass[two];
     inertiaB = bodies.invInertia[two];
+    locksB = bodies.linearLocks(two);
     armBx = cosB * bx - sinB * by;
     armBy = sinB * bx + cosB * by;
     if (one < 0) {
       offsetA = 0;
       massA = 0;
       inertiaA = 0;
+      locksA = 0;
       cosA = 1;
       sinA = 0;
       armAx = 0;
@@ -72,6 +79,7 @@ public final class JointFrame {
     offsetA = slotOf[one] * STRIDE;
     massA = bodies.invMass[one];
     inertiaA = bodies.invInertia[one];
+    locksA = bodies.linearLocks(one);
     cosA = bodies.cos[one];
     sinA = bodies.sin[one];
     float ax = j.anchorAx[slot] - bodies.localX[one];

@@ -50,7 +50,10 @@ public final class JointTrees {
   /** Per tree: its first body. Behind the last tree, the end of all bodies. */
   int[] bodyStart = new int[1];
 
-  /** Per tree: whether more than one of its joints is with what can't be moved. */
+  /**
+   * Per tree: whether it is held at several places: by joints with what can't be moved, or by
+   * locks.
+   */
   boolean[] closed = new boolean[1];
 
   /** Per joint, those of a tree one after the other, from the root to the leaves: its slot. */
@@ -83,7 +86,10 @@ public final class JointTrees {
   /** Per slot of a body: the search that it was last seen in. */
   private int[] seen = new int[0];
 
-  /** Per slot of a body that stands for a component: joints with what can't be moved. */
+  /**
+   * Per slot of a body that stands for a component: joints with what can't be moved, and locked
+   * bodies.
+   */
   private int[] held = new int[0];
 
   /** Per slot of a body that stands for a component: whether it has a cycle. */
@@ -295,7 +301,7 @@ public final class JointTrees {
     if (seen[bodySlot] != search) {
       seen[bodySlot] = search;
       leader[bodySlot] = bodySlot;
-      held[bodySlot] = 0;
+      held[bodySlot] = bodies.areLocked(bodySlot, -1) ? 1 : 0;
       cyclic[bodySlot] = false;
       mixed[bodySlot] = false;
       number[bodySlot] = -1;
