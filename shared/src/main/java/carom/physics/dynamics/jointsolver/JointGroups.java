@@ -95,11 +95,6 @@ final class JointGroups {
   /** Most ratio of the masses of a group that isn't watched. */
   private static final float EVEN = 4;
 
-  /**
-   * Most square of an anchor's distance from the centre, in those of a body's radius of gyration.
-   */
-  private static final float LONG = 32;
-
   /** Number of groups. */
   private int count;
 
@@ -322,7 +317,7 @@ final class JointGroups {
       boolean tree = trees.has(found[i]);
       boolean locked = bodies.areLocked(joints.bodyA[found[i]], joints.bodyB[found[i]]);
       isPlain[g] &= !tree && !locked && (joints.isPlainHinge(found[i]) || joints.isRod(found[i]));
-      isLong[g] |= isPlain[g] && isLong(found[i]);
+      isLong[g] |= isPlain[g] && JointTrees.isFar(joints, bodies, found[i]);
       crowded[g] |= isCrowded(found[i]);
       jointsOf[g]++;
       hasTree[g] |= tree;
@@ -457,23 +452,6 @@ final class JointGroups {
     int one = joints.bodyA[joint];
     int two = joints.bodyB[joint];
     return (isMovable(one) && degree[one] > 2) || (isMovable(two) && degree[two] > 2);
-  }
-
-  private boolean isLong(int joint) {
-    return isFar(joints.bodyA[joint], joints.anchorAx[joint], joints.anchorAy[joint])
-        || isFar(joints.bodyB[joint], joints.anchorBx[joint], joints.anchorBy[joint]);
-  }
-
-  /**
-   * Returns whether a force on an anchor, given in the frame of its body, turns more than moves.
-   */
-  private boolean isFar(int slot, float x, float y) {
-    if (!isMovable(slot)) {
-      return false;
-    }
-    float armX = x - bodies.localX[slot];
-    float armY = y - bodies.localY[slot];
-    return bodies.invInertia[slot] * (armX * armX + armY * armY) > LONG * bodies.invMass[slot];
   }
 
   private boolean isMovable(int slot) {

@@ -13,7 +13,8 @@ import java.util.Arrays;
  * welds, then rods: a weld or rod that would close a cycle, or that is with one, stays out, and is
  * solved by itself. So none takes the tree of a chain of hinges away. A joint's <i>load</i> is the
  * mass that hangs on its lighter side (all of the tree's, where both sides are held), in masses of
- * its lighter body. Solved one by one, a joint opens in proportion to it.
+ * its lighter body. Without other joints beside the tree, a body with an anchor far outside is as
+ * light as it is easy to turn. Solved one by one, a joint opens in proportion to its load.
  *
  * <pre>
  *   rock --- 1 kg --- 1 kg --- 1 kg --- 100 kg     loads: 103, 102, 101, 100
@@ -40,6 +41,12 @@ public final class JointTrees {
    * bodies are better off joint by joint.
    */
   private static final float LEAST_MIXED_LOAD = 500;
+
+  /**
+   * Square of an anchor's distance from the centre, in those of a body's radius of gyration, from
+   * which its body is as light as it is easy to turn.
+   */
+  private static final float FAR = 32;
 
   /** Number of trees. */
   int count;
@@ -95,7 +102,10 @@ public final class JointTrees {
   /** Per slot of a body that stands for a component: whether it has a cycle. */
   private boolean[] cyclic = new boolean[0];
 
-  /** Per slot of a body that stands for a component: whether there are rows beside its tree. */
+  /** Per slot of a body that stands for a component: whether there are joints beside its tree. */
+  private boolean[] beside = new boolean[0];
+
+  /** Per slot of a body that stands for a component: whether some of these act by themselves. */
   private boolean[] mixed = new boolean[0];
 
   /**
@@ -114,7 +124,7 @@ public final class JointTrees {
   private JointStore joints;
   private BodyStore bodies;
 
-  /** Slots of the joints whose masses were looked at, and the inverse masses of their bodies. */
+  /** Slots of the joints whose masses were looked at, and what the loads follow from. */
   private int[] looked = new int[0];
 
   private float[] inverseMass = new float[0];
@@ -127,8 +137,10 @@ public final class JointTrees {
   public boolean areStale(JointStore j, BodyStore b) {
     for (int i = 0; i < lookedCount; i++) {
       int k = looked[i];
-      if (inverseMass[2 * i] != inverseMassA(j, b, k)
-          || inverseMass[2 * i + 1] != b.invMass[j.bodyB[k]]) {
+      if (inverseMass[4 * i] != inverseMassA(j, b, k)
+          || inverseMass[4 * i + 1] != b.invMass[j.bodyB[k]]
+          || inverseMass[4 * i + 2] != inverseMassAt(j, b, k, j.bodyA[k])
+          || inverseMass[4 * i + 3] != inverseMassAt(j, b, k, j.bodyB[k])) {
         return true;
       }
     }
@@ -223,7 +235,7 @@ public final class JointTrees {
       body = new int[2 * capacity];
       up = new int[2 * capacity];
       looked = new int[capacity];
-      inverseMass = new float[2 * capacity];
+      inverseMass = new float[4 * capacity];
     }
     if (leader.length < bodySlots) {
       int capacity = Math.max(bodySlots, 2 * leader.length);
@@ -232,6 +244,7 @@ public final class JointTrees {
       held = new int[capacity];
       cyclic = new boolean[capacity];
       mixed = new boolean[capacity];
+      beside = new boolean[capacity];
       uneven = new boolean[capacity];
       number = new int[capacity];
     }
@@ -258,17 +271,19 @@ public final class JointTrees {
       }
     }
     for (int i = 0; i < n; i++) {
-      if (joints.isActive(list[i])) {
-        noteRow(joints.bodyA[list[i]]);
-        noteRow(joints.bodyB[list[i]]);
+      boolean active = joints.isActive(list[i]);
+      if (active || found[list[i]] != search) {
+        noteRow(joints.bodyA[list[i]], active);
+        noteRow(joints.bodyB[list[i]], active);
       }
     }
   }
 
-  private void noteRow(int bodySlot) {
+  private void noteRow(int bodySlot, boolean active) {
     int at = movable(bodySlot);
     if (at >= 0) {
-      mixed[leader(at)] = true;
+      mixed[leader(at)] |= active;
+      beside[leader(at)] = true;
     }
   }
 
@@ -304,6 +319,7 @@ public final class JointTrees {
       held[bodySlot] = bodies.areLocked(bodySlot, -1) ? 1 : 0;
       cyclic[bodySlot] = false;
       mixed[bodySlot] = false;
+      beside[bodySlot] = false;
       number[bodySlot] = -1;
     }
     return bodySlot;
@@ -421,8 +437,10 @@ public final class JointTrees {
     for (int i = from; i < to; i++) {
       int k = slot[i];
       looked[lookedCount] = k;
-      inverseMass[2 * lookedCount] = inverseMassA(joints, bodies, k);
-      inverseMass[2 * lookedCount + 1] = bodies.invMass[joints.bodyB[k]];
+      inverseMass[4 * lookedCount] = inverseMassA(joints, bodies, k);
+      inverseMass[4 * lookedCount + 1] = bodies.invMass[joints.bodyB[k]];
+      inverseMass[4 * lookedCount + 2] = inverseMassAt(joints, bodies, k, joints.bodyA[k]);
+      inverseMass[4 * lookedCount + 3] = inverseMassAt(joints, bodies, k, joints.bodyB[k]);
       lookedCount++;
     }
   }
@@ -436,6 +454,38 @@ public final class JointTrees {
     return false;
   }
 
+  /** Returns the mass that a force on a joint's anchor has to move, kg. */
+  private double massAt(int i, int bodySlot) {
+    return 1.0
+        / (beside[leader(bodySlot)]
+            ? bodies.invMass[bodySlot]
+            : inverseMassAt(joints, bodies, slot[i], bodySlot));
+  }
+
+  /**
+   * Returns the inverse mass that a body has for a force on the anchor of one of its joints, 1/kg:
+   * its own, or where that turns it far more than it moves it, r^2 / I.
+   */
+  private static float inverseMassAt(JointStore j, BodyStore b, int k, int bodySlot) {
+    if (bodySlot < 0) {
+      return 0;
+    }
+    boolean isB = bodySlot == j.bodyB[k];
+    float armX = (isB ? j.anchorBx[k] : j.anchorAx[k]) - b.localX[bodySlot];
+    float armY = (isB ? j.anchorBy[k] : j.anchorAy[k]) - b.localY[bodySlot];
+    float turning = b.invInertia[bodySlot] * (armX * armX + armY * armY);
+    return turning > FAR * b.invMass[bodySlot] ? turning : b.invMass[bodySlot];
+  }
+
+  /** Returns whether forces on the anchor of a joint turn one of its bodies more than move it. */
+  public static boolean isFar(JointStore j, BodyStore b, int k) {
+    return isFar(j, b, k, j.bodyA[k]) || isFar(j, b, k, j.bodyB[k]);
+  }
+
+  private static boolean isFar(JointStore j, BodyStore b, int k, int bodySlot) {
+    return bodySlot >= 0 && inverseMassAt(j, b, k, bodySlot) != b.invMass[bodySlot];
+  }
+
   /** Returns the largest load of joints listed from the root to the leaves. */
   private double largestLoad(int from, int to, double total, int heldInAll) {
     Arrays.fill(beyond, from, to, 0);
@@ -446,11 +496,11 @@ public final class JointTrees {
       if (child[i] < 0) {
         heldBeyond[i]++;
       } else {
-        lighter = 1.0 / bodies.invMass[body[child[i]]];
-        beyond[i] += lighter;
+        lighter = massAt(i, body[child[i]]);
+        beyond[i] += 1.0 / bodies.invMass[body[child[i]]];
       }
       if (parent[i] >= 0) {
-        lighter = Math.min(lighter, 1.0 / bodies.invMass[body[parent[i]]]);
+        lighter = Math.min(lighter, massAt(i, body[parent[i]]));
         int towardsRoot = up[parent[i]];
         if (towardsRoot >= 0) {
           beyond[towardsRoot] += beyond[i];
