@@ -42,13 +42,13 @@ final class DeterminismTest {
       GAS 2eebf1ba2efa5eb cfd33dfff6e739ae
       SPIN d48e105aa520e5f6 d88655c879555dec
       NET b4b495a92dedba4e 11
-      JOINTS b03e215031aafb99 449cb4eb34043063
+      JOINTS 6fabd3fe87a72dcd 52283b8ee282f7e
       BELTS 5fb390bcc7964f33 7e3906535740866a
       CHAINS e4b1f0325be7e7c4 fb68bd9a0cb4d34
       ROUND d03e3411ae6c326a ebc9702862e6e6c7
       BULLETS bb51965067cf1967 5f309de367f17ef4
       SLEEPERS aa7f40b706d7e41 c90edec9f1e4b853
-      EDITS d88422a1d781f88e 58b2f4689b876316
+      EDITS 9e9b64f4e8745b28 a03c636d2393ec21
       WATER 8004d870e5eea31d 499deec80b09dece
       EULER 5f8e94cf45f64eff 7637076c528c2b21
       """;

@@ -25,6 +25,7 @@ public final class BodyEditor {
   private final Sleeping sleeping;
   private final Refilter refilter;
   private final EndedContacts ended;
+  private final LostLoads lost;
   private final BodyMaker maker;
 
   /** True once a static body was moved by hand. */
@@ -39,7 +40,9 @@ public final class BodyEditor {
       PairFinder pairs,
       Sleeping sleeping,
       Refilter refilter,
-      EndedContacts ended) {
+      EndedContacts ended,
+      LostLoads lost) {
+    this.lost = lost;
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
@@ -160,6 +163,10 @@ public final class BodyEditor {
       return;
     }
     sleeping.disturb(body);
+    if (!enabled) {
+      sleeping.mergeWoken();
+      lost.losesBody(body);
+    }
     bodies.flags[body] ^= BodyStore.DISABLED;
     bodies.clearForces(body);
     if (enabled) {
@@ -184,7 +191,9 @@ public final class BodyEditor {
     MassData total = BodyMaker.total(bodies.type[body], shapes, own);
     sleeping.disturb(body);
     sleeping.mergeWoken();
+    float inverseMass = bodies.invMass[body];
     maker.refill(body, shapes, own, total);
+    lost.losesMass(body, inverseMass);
     contacts.forgetManifolds(body);
     contacts.mixAgain(body, parts);
     sleeping.wakeOverlapped(body);
@@ -251,7 +260,9 @@ public final class BodyEditor {
     if (enabled) {
       leave(body);
     }
+    float inverseMass = bodies.invMass[body];
     maker.reshape(body, shapes, own, total);
+    lost.losesMass(body, inverseMass);
     int shift = bodies.partCount[body] - before;
     contacts.renumberParts(body, first + removed, shift, bodies);
     contacts.forgetManifolds();
@@ -305,9 +316,11 @@ public final class BodyEditor {
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.isOfParts(row, body, from, to)) {
         ended.add(row);
+        lost.losesContact(row);
       }
     }
     contacts.order().removeParts(body, from, to);
+    lost.settle();
     pairs.searchAll();
   }
 

@@ -95,6 +95,7 @@ public final class Dynamics {
   private final ColdWelds coldWelds = new ColdWelds(joints, bodies);
   private final JointTransfer jointTransfer = new JointTransfer(bodies, joints);
   private final EndedContacts ended = new EndedContacts(contacts);
+  private final LostLoads lost;
   private final RowTransfer transfer;
 
   /** Scratch: the bodies of rows that sleep there. */
@@ -111,6 +112,7 @@ public final class Dynamics {
   public Dynamics(Settings settings) {
     this.settings = settings;
     parts = new ShapeTable(settings);
+    lost = new LostLoads(settings, bodies, joints, contacts, bodyContacts);
     transfer =
         new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer, ended);
     pairs = new PairFinder(settings, bodies, active, parts, contacts, joints::mayTouch, parallel);
@@ -119,9 +121,10 @@ public final class Dynamics {
     collideStage =
         new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
     eventStage = new EventStage(settings, bodies, parts, contacts, sleeping);
-    refilter = new Refilter(contacts, pairs);
+    refilter = new Refilter(contacts, pairs, lost);
     editor =
-        new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter, ended);
+        new BodyEditor(
+            settings, bodies, parts, active, contacts, pairs, sleeping, refilter, ended, lost);
     queries = new PartQueries(pairs, parts);
     substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parts, parallel);
   }
@@ -193,6 +196,8 @@ public final class Dynamics {
   public void destroyJoint(int joint) {
     sleeping.wakeEnds(joint);
     coldWelds.cool(joint);
+    sleeping.mergeWoken();
+    lost.losesJoint(joint);
     joints.release(joint);
     refilter.markStale();
   }

@@ -7,9 +7,11 @@ import carom.physics.dynamics.pairs.PairFinder;
 final class Refilter {
   private final ContactTable contacts;
   private final PairFinder pairs;
+  private final LostLoads lost;
   private boolean stale;
 
-  Refilter(ContactTable contacts, PairFinder pairs) {
+  Refilter(ContactTable contacts, PairFinder pairs, LostLoads lost) {
+    this.lost = lost;
     this.contacts = contacts;
     this.pairs = pairs;
   }
@@ -27,7 +29,12 @@ final class Refilter {
     stale = false;
     pairs.searchAll();
     for (int row = 0; row < contacts.count(); row++) {
-      contacts.ignore(row, !pairs.mayStay(contacts, row));
+      boolean ends = !pairs.mayStay(contacts, row);
+      contacts.ignore(row, ends);
+      if (ends) {
+        lost.losesContact(row);
+      }
     }
+    lost.settle();
   }
 }

@@ -59,8 +59,18 @@ final class AssemblyLawTest {
   /** Joints took locked bodies for free ones, and gave them up to 271,000 times their energy. */
   @ParameterizedTest
   @CsvSource({
-    "RIGID, 100256", "RIGID, 100264", "RIGID, 100332", "RIGID, 100683", "RIGID, 100842",
-    "RIGID, 100944", "RIGID, 100947", "MIXED, 100033", "MIXED, 100035", "MIXED, 100101"
+    "RIGID, 100256",
+    "RIGID, 100264",
+    "RIGID, 100332",
+    "RIGID, 100683",
+    "RIGID, 100842",
+    "RIGID, 100760",
+    "RIGID, 100944",
+    "RIGID, 100947",
+    "RIGID, 100991",
+    "MIXED, 100033",
+    "MIXED, 100035",
+    "MIXED, 100101"
   })
   void lockedAssembliesInTroubleGainNoEnergy(Kind kind, long seed) {
     assertNull(gain(new Assembly(seed, kind, 10_000, 0).locked()));

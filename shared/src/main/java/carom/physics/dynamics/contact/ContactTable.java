@@ -196,6 +196,17 @@ public final class ContactTable extends ContactColumns {
     roll[row] = 0;
   }
 
+  /** Scales the impulses that a row starts the next step with. */
+  public void scale(int row, float share) {
+    ownTouches();
+    int at = row * CONTACT;
+    contact[at + NORMAL0] *= share;
+    contact[at + TANGENT0] *= share;
+    contact[at + NORMAL1] *= share;
+    contact[at + TANGENT1] *= share;
+    roll[row] *= share;
+  }
+
   /** Sets whether the parts may touch; if not, what touches ends with the next update. */
   public void ignore(int row, boolean ignored) {
     if (ignored == ((flags[row] & IGNORED) != 0)) {
