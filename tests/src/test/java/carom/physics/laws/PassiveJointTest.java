@@ -308,6 +308,43 @@ final class PassiveJointTest {
     }
   }
 
+  /**
+   * What was held back of a change of velocity took its turning from where bodies were before they
+   * moved: one in five lost up to 11 % of its angular momentum.
+   */
+  @Test
+  void sliderOnASpringKeepsTurning() {
+    for (int seed = 1; seed <= 60; seed++) {
+      Random r = new Random(31L * seed);
+      World<String> w = world(0);
+      float far = 1 + 2 * r.nextFloat();
+      float along = Trig.PI * r.nextFloat();
+      Box one = new Box(0.2f + 0.3f * r.nextFloat(), 0.2f);
+      Body<String> a = w.createBody(dynamic(0, 0).shape(one, material(1), apart()), "one");
+      Box two = new Box(0.2f, 0.2f + 0.3f * r.nextFloat());
+      Body<String> b = w.createBody(dynamic(far, 0).shape(two, material(1), apart()), "two");
+      JointDef<String> slider =
+          JointDef.prismatic(a, b, far * r.nextFloat(), 0, Trig.cos(along), Trig.sin(along));
+      w.createJoint(slider.spring(1 + 30 * r.nextFloat(), r.nextFloat()));
+      float spin = 2 + 8 * r.nextFloat();
+      a.setVelocity(0, -spin * far / 2);
+      b.setVelocity(0, spin * far / 2);
+      a.setAngularVelocity(spin);
+      b.setAngularVelocity(spin);
+      double before = angularMomentum(a) + angularMomentum(b);
+      for (int i = 0; i < 300; i++) {
+        w.step(DT);
+      }
+      double now = angularMomentum(a) + angularMomentum(b);
+      assertEquals(before, now, 1e-3 * before, "seed=" + seed);
+    }
+  }
+
+  private static double angularMomentum(Body<String> b) {
+    double turning = (double) b.centerX() * b.velocityY() - (double) b.centerY() * b.velocityX();
+    return b.mass() * turning + b.inertia() * b.angularVelocity();
+  }
+
   private static double energy(World<String> w) {
     double[] sum = new double[1];
     w.forEachBody(

@@ -83,6 +83,9 @@ final class JointGroups {
   /** Energy that trees change, in parts of their group's, from which it is in trouble. */
   private static final double BLOW = 0.1;
 
+  /** Part of a change's energy below which its turning is an error of motion. */
+  private static final double SLIGHT = 0.01;
+
   /** Joints per body from which hinges are a net. */
   private static final float NET = 1.5f;
 
@@ -205,6 +208,12 @@ final class JointGroups {
   private double now;
   private double sumOfMass;
   private double heavy;
+
+  // Centre of mass of a group, m, and its moment of inertia about it, kg m^2.
+
+  private double centreX;
+  private double centreY;
+  private double turning;
 
   /** Per group: whether it touches what can't be moved. */
   private boolean[] isPropped = new boolean[0];
@@ -837,17 +846,16 @@ final class JointGroups {
     note(v, before);
     clear(product);
     clear(square);
-    for (int i = 0; i < tendedCount; i++) {
-      int member = tended[i];
-      int g = groupOf[member];
-      int at = place[member] * STRIDE;
-      double ux = change[3 * i];
-      double uy = change[3 * i + 1];
-      double uw = change[3 * i + 2];
-      product[g] +=
-          mass[member] * (ux * (v[at + VX] - ux) + uy * (v[at + VY] - uy))
-              + inertia[member] * uw * (v[at + W] - uw);
-      square[g] += mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw;
+    addChanges(0, tendedCount, v);
+    for (int from = 0; from < tendedCount; from = end(from, tendedCount)) {
+      int g = groupOf[tended[from]];
+      if (isFree[g] && !hasTree[g] && share(product[g], square[g], stored[g]) < 1) {
+        double whole = square[g];
+        product[g] = 0;
+        square[g] = 0;
+        unturn(from, end(from, tendedCount), whole, v);
+        addChanges(from, end(from, tendedCount), v);
+      }
     }
     boolean any = false;
     for (int g = 0; g < count; g++) {
@@ -863,6 +871,79 @@ final class JointGroups {
     if (any) {
       holdBack(v);
     }
+  }
+
+  /** Adds up the energy of changes of velocity, and what they do to that of the groups. */
+  private void addChanges(int from, int to, float[] v) {
+    for (int i = from; i < to; i++) {
+      int member = tended[i];
+      int g = groupOf[member];
+      int at = place[member] * STRIDE;
+      double ux = change[3 * i];
+      double uy = change[3 * i + 1];
+      double uw = change[3 * i + 2];
+      product[g] +=
+          mass[member] * (ux * (v[at + VX] - ux) + uy * (v[at + VY] - uy))
+              + inertia[member] * uw * (v[at + W] - uw);
+      square[g] += mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw;
+    }
+  }
+
+  /**
+   * Takes the turning of a group that moves freely out of the change of its velocities. Joints gave
+   * it none, but bodies have moved since, and what is held back of the change must not turn it.
+   */
+  private void unturn(int from, int to, double whole, float[] v) {
+    findCentre(from, to, v);
+    double moment = 0;
+    for (int i = from; i < to; i++) {
+      int member = tended[i];
+      double rx = fromCentreX(member, v);
+      double ry = fromCentreY(member, v);
+      moment += mass[member] * (rx * change[3 * i + 1] - ry * change[3 * i]);
+      moment += inertia[member] * change[3 * i + 2];
+    }
+    double spin = turning > 0 ? moment / turning : 0;
+    if (spin * moment > SLIGHT * whole) {
+      return;
+    }
+    for (int i = from; i < to; i++) {
+      int member = tended[i];
+      change[3 * i] += spin * fromCentreY(member, v);
+      change[3 * i + 1] -= spin * fromCentreX(member, v);
+      change[3 * i + 2] -= inertia[member] > 0 ? spin : 0;
+    }
+  }
+
+  /** Finds the centre of mass of a group, and its moment of inertia about it. */
+  private void findCentre(int from, int to, float[] v) {
+    sumOfMass = 0;
+    centreX = 0;
+    centreY = 0;
+    for (int i = from; i < to; i++) {
+      int member = tended[i];
+      int at = place[member] * STRIDE;
+      sumOfMass += mass[member];
+      centreX += mass[member] * ((double) bodies.x[body[member]] + v[at + DX]);
+      centreY += mass[member] * ((double) bodies.y[body[member]] + v[at + DY]);
+    }
+    centreX /= sumOfMass;
+    centreY /= sumOfMass;
+    turning = 0;
+    for (int i = from; i < to; i++) {
+      int member = tended[i];
+      double rx = fromCentreX(member, v);
+      double ry = fromCentreY(member, v);
+      turning += mass[member] * (rx * rx + ry * ry) + inertia[member];
+    }
+  }
+
+  private double fromCentreX(int member, float[] v) {
+    return bodies.x[body[member]] + v[place[member] * STRIDE + DX] - centreX;
+  }
+
+  private double fromCentreY(int member, float[] v) {
+    return bodies.y[body[member]] + v[place[member] * STRIDE + DY] - centreY;
   }
 
   /** Returns whether anchors are so far apart that closing the gap is all that counts. */
@@ -1157,44 +1238,33 @@ final class JointGroups {
    * @return what there wasn't to be taken, J
    */
   private double slow(int from, int to, boolean free, double joules, float[] v) {
-    double m = 0;
-    double x = 0;
-    double y = 0;
     double vx = 0;
     double vy = 0;
-    for (int i = from; free && i < to; i++) {
-      int member = tended[i];
-      int at = place[member] * STRIDE;
-      m += mass[member];
-      x += mass[member] * ((double) bodies.x[body[member]] + v[at + DX]);
-      y += mass[member] * ((double) bodies.y[body[member]] + v[at + DY]);
-      vx += mass[member] * v[at + VX];
-      vy += mass[member] * v[at + VY];
-    }
-    if (free) {
-      x /= m;
-      y /= m;
-      vx /= m;
-      vy /= m;
-    }
-    double turning = 0;
     double moment = 0;
-    for (int i = from; free && i < to; i++) {
-      int member = tended[i];
-      int at = place[member] * STRIDE;
-      double rx = bodies.x[body[member]] + v[at + DX] - x;
-      double ry = bodies.y[body[member]] + v[at + DY] - y;
-      moment += mass[member] * (rx * (v[at + VY] - vy) - ry * (v[at + VX] - vx));
-      moment += inertia[member] * v[at + W];
-      turning += mass[member] * (rx * rx + ry * ry) + inertia[member];
+    if (free) {
+      findCentre(from, to, v);
+      for (int i = from; i < to; i++) {
+        vx += mass[tended[i]] * v[place[tended[i]] * STRIDE + VX];
+        vy += mass[tended[i]] * v[place[tended[i]] * STRIDE + VY];
+      }
+      vx /= sumOfMass;
+      vy /= sumOfMass;
+      for (int i = from; i < to; i++) {
+        int member = tended[i];
+        int at = place[member] * STRIDE;
+        double rx = fromCentreX(member, v);
+        double ry = fromCentreY(member, v);
+        moment += mass[member] * (rx * (v[at + VY] - vy) - ry * (v[at + VX] - vx));
+        moment += inertia[member] * v[at + W];
+      }
     }
-    double spin = turning > 0 ? moment / turning : 0;
+    double spin = free && turning > 0 ? moment / turning : 0;
     double sum = 0;
     for (int i = from; i < to; i++) {
       int member = tended[i];
       int at = place[member] * STRIDE;
-      double ux = v[at + VX] - vx + spin * (bodies.y[body[member]] + v[at + DY] - y);
-      double uy = v[at + VY] - vy - spin * (bodies.x[body[member]] + v[at + DX] - x);
+      double ux = v[at + VX] - vx + spin * fromCentreY(member, v);
+      double uy = v[at + VY] - vy - spin * fromCentreX(member, v);
       double uw = v[at + W] - spin;
       sum += 0.5 * (mass[member] * (ux * ux + uy * uy) + inertia[member] * uw * uw);
       change[3 * i] = ux;
