@@ -452,7 +452,9 @@ final class LevelReader {
   }
 
   private Appearance appearance(Json node, boolean isStatic, int materialRgb) throws JsonException {
-    String look = word(node, "look", LOOKS, isStatic ? "wall" : "plain");
+    boolean hasColour = materialRgb >= 0 || node.fields.containsKey("color");
+    boolean isWall = isStatic && (hasColour || !bool(node, "sensor", false)); // what holds looks so
+    String look = word(node, "look", LOOKS, isWall ? "wall" : "plain");
     int usual = isStatic ? 0x3d5a80 : 0xb08968;
     int rgb = color(node, "color", materialRgb < 0 ? usual : materialRgb);
     Appearance plain = Appearance.of(rgb, Appearance.Look.valueOf(look.toUpperCase(Locale.ROOT)));

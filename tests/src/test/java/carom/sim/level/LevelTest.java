@@ -642,6 +642,27 @@ class LevelTest {
         checked.problems().stream().map(LevelException::field).toList());
   }
 
+  /** One sees through a plain sensor; a wall of the same colour looks solid. */
+  @Test
+  void aSensorWithoutAColourDoesNotLookLikeAWall() throws Exception {
+    String at = "{\"at\": [0, 0], " + BOX;
+    String statics =
+        String.join(
+            "},\n",
+            at,
+            at + ", \"sensor\": true",
+            at + ", \"sensor\": true, \"color\": \"#ffd166\"",
+            at + ", \"sensor\": true, \"look\": \"lamp\"");
+    Level level = parse(HEAD + "\"spawns\": [{\"at\": [0, 0]}], \"statics\": [" + statics + "}]}");
+    assertEquals(
+        List.of(
+            Appearance.Look.WALL,
+            Appearance.Look.PLAIN,
+            Appearance.Look.WALL,
+            Appearance.Look.LAMP),
+        level.archetypes().stream().map(a -> new Archetype(0, a).appearance().look()).toList());
+  }
+
   @Test
   void keepsTheFileForTheClients() throws Exception {
     Level level = Level.builtIn("arena");
